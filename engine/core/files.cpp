@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "core/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace patina {
+namespace {
+
+std::string shown(const std::filesystem::path& path) { return quoted_for_message(path.string()); }
+
+/// An owned POSIX descriptor.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    explicit operator bool() const { return fd_ >= 0; }
+    int get() const { return fd_; }
+    /// Closes now and says whether the system accepted all that was written.
+    bool close() {
+        const int fd = std::exchange(fd_, -1);
+        return ::close(fd) == 0;
+    }
+
+  private:
+    int fd_;
+};
+
+template <typename Buffer>
+Result<Buffer> read_regular_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
+    // O_NONBLOCK: opening a FIFO must not wait for a writer.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file) return failure("{}: cannot open: {}", shown(path), std::strerror(errno));
+    struct stat info = {};
+    if (::fstat(file.get(), &info) != 0)
+        return failure("{}: cannot read its size: {}", shown(path), std::strerror(errno));
+    if (!S_ISREG(info.st_mode)) return failure("{}: not a regular file", shown(path));
+    const auto size = static_cast<std::uint64_t>(info.st_size);
+    if (size > limit_bytes)
+        return failure("{}: {} bytes, more than the limit of {}", shown(path), size, limit_bytes);
+    Buffer buffer;
+    buffer.resize(size);
+    for (std::size_t done = 0; done < size;) {
+        const ssize_t got = ::read(file.get(), buffer.data() + done, size - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return failure("{}: cannot read: {}", shown(path), std::strerror(errno));
+        if (got == 0) return failure("{}: became shorter while it was read", shown(path));
+        done += static_cast<std::size_t>(got);
+    }
+    return buffer;
+}
+
+bool write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+    return true;
+}
+
+/// The file that a chain of symbolic links ends at; the path itself where it is no link.
+std::filesystem::path resolved_target(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_symlink(path, error)) return path;
+    const auto target = std::filesystem::weakly_canonical(path, error);
+    return error ? path : target;
+}
+
+std::filesystem::path temporary_beside(const std::filesystem::path& target) {
+    static std::atomic<unsigned> counter = 0;
+    // The name stays short, so that a target whose name is near the limit of 255 bytes still works.
+    return target.parent_path() / fmt::format(".patina-{}-{}.tmp", ::getpid(), counter++);
+}
+
+std::optional<mode_t> existing_mode(const std::filesystem::path& target) {
+    struct stat info = {};
+    if (::stat(target.c_str(), &info) != 0) return std::nullopt;
+    return info.st_mode & 07777;
+}
+
+/// Writes and flushes the temporary file; errno tells the reason of a failure.
+bool write_temporary(const std::filesystem::path& temporary, std::optional<mode_t> mode,
+                     std::span<const std::span<const std::byte>> pieces) {
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file) return false;
+    if (mode && ::fchmod(file.get(), *mode) != 0) return false;
+    for (const auto piece : pieces)
+        if (!write_all(file.get(), piece)) return false;
+    return ::fsync(file.get()) == 0 && file.close();
+}
+
+void flush_folder(const std::filesystem::path& folder) {
+    const Descriptor handle(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    // Some file systems cannot flush a folder; the rename has happened all the same.
+    if (handle) ::fsync(handle.get());
+}
+
+std::filesystem::path executable_folder() {
+    std::error_code error;
+    const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
+    return error ? std::filesystem::path() : executable.parent_path();
+}
+
+}  // namespace
+
+Result<Bytes> read_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
+    return read_regular_file<Bytes>(path, limit_bytes);
+}
+
+Result<std::string> read_text_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
+    return read_regular_file<std::string>(path, limit_bytes);
+}
+
+Status write_file_atomically(const std::filesystem::path& path,
+                             std::span<const std::span<const std::byte>> pieces) {
+    const auto target = resolved_target(path);
+    const auto mode = existing_mode(target);
+    std::error_code error;
+    if (std::filesystem::is_directory(target, error))
+        return failure("{}: cannot write: it is a folder", shown(path));
+    const auto temporary = temporary_beside(target);
+    if (!write_temporary(temporary, mode, pieces) ||
+        ::rename(temporary.c_str(), target.c_str()) != 0) {
+        const int reason = errno;
+        ::unlink(temporary.c_str());
+        return failure("{}: cannot write: {}{}", shown(path), std::strerror(reason),
+                       mode ? "; the old file is unchanged" : "");
+    }
+    flush_folder(target.parent_path());
+    return {};
+}
+
+Status write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    const std::array pieces = {bytes};
+    return write_file_atomically(path, pieces);
+}
+
+Status write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+    return write_file_atomically(path, bytes_of(text));
+}
+
+Result<std::filesystem::path> resource_folder(std::string_view name) {
+    const auto program = executable_folder();
+    std::error_code error;
+    const auto installed = program / ".." / "share" / "patina" / name;
+    if (std::filesystem::is_directory(installed, error)) return installed.lexically_normal();
+    for (auto folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
+        const bool is_source_tree = std::filesystem::exists(folder / "CMakePresets.json", error);
+        if (is_source_tree && std::filesystem::is_directory(folder / name, error))
+            return folder / name;
+    }
+    return failure("the folder '{}' is neither beside the program ({}) nor in a source tree above it; "
+                   "reinstall Patina", name, shown(installed.lexically_normal()));
+}
+
+}  // namespace patina

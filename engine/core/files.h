@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Reading whole files under a limit, and writing them so that a reader sees the old file or the
+/// new one and never a part.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace patina {
+
+using Bytes = std::vector<std::byte>;
+
+/// The limit that Patina sets on any single file it reads: 2 GiB.
+inline constexpr std::uint64_t kFileLimitBytes = std::uint64_t{2} << 30;
+
+/// Reads a regular file whole. A directory, FIFO, socket or device, a file larger than
+/// `limit_bytes`, or one that changes size while it is read is an error that names the path.
+Result<Bytes> read_file(const std::filesystem::path& path,
+                        std::uint64_t limit_bytes = kFileLimitBytes);
+Result<std::string> read_text_file(const std::filesystem::path& path,
+                                   std::uint64_t limit_bytes = kFileLimitBytes);
+
+/// Writes the concatenation of `pieces` to `path` all or nothing: a temporary file in the same
+/// folder, written, flushed to disk (fsync), renamed over the target, the folder flushed. A
+/// symbolic link is followed and stays a link; the mode of an existing target is kept. On any
+/// failure (disk full, no permission) the old file is intact and the temporary is gone.
+Status write_file_atomically(const std::filesystem::path& path,
+                             std::span<const std::span<const std::byte>> pieces);
+Status write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+Status write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Where the program's own files of one kind lie: "shaders", "presets" or "fonts". Looked for
+/// beside the program (../share/patina/NAME from the executable), then in the source tree above the
+/// executable. Never an absolute path from the time of the build.
+Result<std::filesystem::path> resource_folder(std::string_view name);
+
+inline std::span<const std::byte> bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+}  // namespace patina
