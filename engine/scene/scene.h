@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What the file's scene shows, flattened: meshes, and where each stands in the world. Right-handed,
+/// +Y up, metres. Skins and morphs have been applied at rest.
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/mesh.h"
+
+namespace patina {
+
+/// A mesh at a place.
+struct MeshInstance {
+    int mesh = 0;  ///< index into Scene::meshes
+    glm::mat4 world_from_local = glm::mat4(1.0f);
+    std::string name;
+};
+
+/// KHR_lights_punctual, in the world.
+struct Light {
+    enum class Kind { Directional, Point, Spot };
+    Kind kind = Kind::Directional;
+    std::string name;
+    glm::vec3 color_linear = glm::vec3(1.0f);
+    float intensity = 1.0f;  ///< lux (directional) or candela (point, spot)
+    glm::vec3 position_world = glm::vec3(0.0f);
+    glm::vec3 direction_world = glm::vec3(0.0f, 0.0f, -1.0f);  ///< the way the light travels, unit
+    float range = 0.0f;                                        ///< metres; 0 reaches everywhere
+    float inner_cone_radians = 0.0f;
+    float outer_cone_radians = 0.785398f;
+    bool operator==(const Light&) const = default;
+};
+
+struct SceneCamera {
+    std::string name;
+    glm::mat4 world_from_camera = glm::mat4(1.0f);
+    float fov_y_radians = 0.8f;        ///< of a perspective camera
+    float orthographic_height = 0.0f;  ///< above 0: orthographic, full height in metres
+};
+
+struct Scene {
+    std::vector<Mesh> meshes;
+    std::vector<MeshInstance> instances;
+    std::vector<SceneCamera> cameras;
+    std::vector<Light> lights;
+    Bounds bounds_world;  ///< of all instances
+};
+
+using ScenePtr = std::shared_ptr<const Scene>;
+
+}  // namespace patina
