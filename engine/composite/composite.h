@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The layer stack evaluated on the CPU: the reference, the bake, and the live path wherever OpenGL
+/// runs in software. One fused pass over tiles (rows of them in parallel), the same texels on any
+/// CPU and with any number of threads. May include core, scene, document and shaders/shared.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "composite/image_provider.h"
+#include "composite/program.h"
+#include "core/progress.h"
+
+namespace patina {
+
+/// Texels [x0, x1) x [y0, y1), row 0 at the top.
+struct TexelRect {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+    bool empty() const { return x0 >= x1 || y0 >= y1; }
+    bool operator==(const TexelRect&) const = default;
+};
+
+/// The baked maps that were asked for; the others are null. All are square, `size` texels a side.
+struct MapSet {
+    int size = 0;
+    std::array<ImagePtr, kBakedMapCount> maps;
+    const ImagePtr& operator[](BakedMap map) const { return maps[static_cast<std::size_t>(map)]; }
+};
+
+/// Bakes whole maps, without any cache. Images that cannot be decoded are a failure that names
+/// them. `size` is 1 to 16384, a power of two or not.
+/// @param wanted  the maps to make; see Program::slots for those that a material needs
+Result<MapSet> bake_maps(const Program& program, ImageProvider& images, int size,
+                         const std::vector<BakedMap>& wanted, const Progress& progress = {});
+
+/// The live composite of one material: keeps the last result and float32 caches of what lies below
+/// the edited layer, so that an edit costs what it changes. One thread at a time.
+class LiveComposite {
+  public:
+    explicit LiveComposite(std::size_t cache_budget_bytes = std::size_t{512} << 20);
+    ~LiveComposite();
+    LiveComposite(LiveComposite&&) noexcept;
+    LiveComposite& operator=(LiveComposite&&) noexcept;
+
+    struct Update {
+        std::vector<BakedMap> changed_maps;
+        TexelRect changed;            ///< in texels of `size`; the whole map when it was made anew
+        bool images_missing = false;  ///< some image is still being decoded: ask again later
+        double elapsed_ms = 0.0;
+    };
+    /// Brings the maps up to date with `program` at `size` texels a side; equals bake_maps bit for
+    /// bit. Images that cannot be decoded show as a grey checker and are named in the log once.
+    Result<Update> update(const Program& program, ImageProvider& images, int size,
+                          const Progress& progress = {});
+    /// The result of the last update; shared, never changed afterwards.
+    const MapSet& maps() const;
+    std::size_t cache_bytes() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// One step of `explain`: what a layer did to one channel of one texel.
+struct ExplainStep {
+    LayerId layer;
+    std::string layer_name;
+    int depth = 0;  ///< in groups
+    BlendMode mode = BlendMode::Normal;
+    glm::vec3 source = glm::vec3(0.0f);  ///< the layer's own value
+    float mask = 1.0f;
+    float weight = 0.0f;                 ///< opacity x channel opacity x mask x coverage
+    glm::vec3 result = glm::vec3(0.0f);  ///< after the layer
+};
+/// The history of one texel, bottom to top, by the same program and kernels that bake it.
+Result<std::vector<ExplainStep>> explain_texel(const Material& material, ImageProvider& images,
+                                               Channel channel, int size, int x, int y);
+
+}  // namespace patina

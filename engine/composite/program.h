@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A stack compiled: a flat array of small operation records and the list of images they read. The
+/// same program is run by the CPU compositor, by `explain` and later by the GPU.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "composite/maps.h"
+#include "document/document.h"
+
+namespace patina {
+
+struct ProgramData;  // operation records: composite/operations.h
+
+/// Immutable and cheap to copy.
+class Program {
+  public:
+    /// Compiles the visible layers of a material. Layers, channels and entries that cannot change
+    /// the result (hidden, opacity 0, mask 0) leave no trace, so equal pictures have equal hashes.
+    static Program compile(const Material& material);
+
+    /// Hash of all that decides the texels of one slot (not of the resolution): equal hashes, equal
+    /// texels. An edit elsewhere leaves a slot's hash alone.
+    Hash128 slot_hash(Slot slot) const;
+    /// How glTF is to state each slot (the bake rules of DESIGN section 6).
+    const std::array<SlotPlan, kSlotCount>& slots() const;
+    /// Images that running the program reads, each once.
+    const std::vector<Hash128>& images() const;
+    const ProgramData& data() const { return *data_; }
+
+  private:
+    std::shared_ptr<const ProgramData> data_;
+};
+
+}  // namespace patina

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The document: an immutable snapshot of all that can be edited and undone. It is a value built of
+/// shared nodes, so a copy is cheap and an edit costs what it changes. Camera, exposure, panels and
+/// selection are view state and live elsewhere. May include core and scene; knows nothing of GL,
+/// files or ImGui.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/material.h"
+#include "scene/image.h"
+#include "scene/scene.h"
+#include "scene/source_asset.h"
+
+namespace patina {
+
+/// An image that layers use: the encoded bytes as they came, and what is known of the pixels.
+/// Pixels themselves are asked of an ImageProvider by hash.
+struct ImageAsset {
+    Hash128 hash;           ///< content_hash of the decoded pixels
+    std::string name;       ///< for people: file name or glTF name
+    std::string mime_type;  ///< "image/png", "image/jpeg", ... of `encoded`
+    std::shared_ptr<const Bytes> encoded;
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    SampleType type = SampleType::U8;
+    std::optional<int> source_image;  ///< index in the glTF file, where it came from there
+};
+using ImageAssetPtr = std::shared_ptr<const ImageAsset>;
+
+struct EnvironmentSettings {
+    std::string name = "studio";    ///< a built-in ("studio") or the path of an .hdr/.exr file
+    float rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
+    float intensity = 1.0f;         ///< times the radiance of the map, 0 to 100
+    bool operator==(const EnvironmentSettings&) const = default;
+};
+
+struct Document {
+    SourceAssetPtr source;  ///< as opened; every save splices into this
+    ScenePtr scene;
+    std::vector<MaterialPtr> materials;  ///< in the order of the file; the default one last
+    std::map<Hash128, ImageAssetPtr> images;
+    EnvironmentSettings environment;
+    std::vector<Light> lights;  ///< in the world; those of the file to begin with
+    std::uint64_t next_id = 1;  ///< the next layer, mask entry or material id; only grows
+};
+
+using DocumentPtr = std::shared_ptr<const Document>;
+
+/// The material with that id, or null.
+MaterialPtr find_material(const Document& document, MaterialId id);
+/// The material that a primitive is drawn with (Primitive::source_material), or null if none is.
+MaterialPtr material_of(const Document& document, int source_material);
+/// The layer with that id anywhere in the stack, groups included, or null.
+LayerPtr find_layer(const Material& material, LayerId id);
+
+}  // namespace patina

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A layer of a material: what it adds to each channel, where (mask) and how strongly.
+///
+/// Order for every channel, bottom to top: weight = layer opacity x channel opacity x mask x source
+/// coverage; then source-over of blend(backdrop, source) with that weight (DESIGN section 3).
+/// Layers are immutable once shared; an edit makes a new one.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "document/blend_mode.h"
+#include "document/channel.h"
+#include "document/source.h"
+
+namespace patina {
+
+/// Ids are unique within a document, stable over save, reopen, undo and redo, and never 0.
+struct LayerId {
+    std::uint64_t value = 0;
+    auto operator<=>(const LayerId&) const = default;
+};
+struct MaskEntryId {
+    std::uint64_t value = 0;
+    auto operator<=>(const MaskEntryId&) const = default;
+};
+
+/// How a mask entry joins what the entries before it made.
+enum class MaskCombine : std::uint8_t { Replace, Multiply, Add, Subtract, Lighten, Darken };
+
+/// in_low..in_high is stretched to 0..1, raised to 1/gamma, and put into out_low..out_high.
+struct Levels {
+    float in_low = 0.0f;
+    float in_high = 1.0f;
+    float gamma = 1.0f;  ///< 0.1 to 10
+    float out_low = 0.0f;
+    float out_high = 1.0f;
+    bool operator==(const Levels&) const = default;
+};
+
+struct MaskEntry {
+    MaskEntryId id;
+    std::string name;
+    bool visible = true;
+    Source source = ConstantSource{glm::vec3(1.0f)};
+    MaskCombine combine = MaskCombine::Multiply;
+    float opacity = 1.0f;  ///< 0 to 1: lerp between the mask without and with this entry
+    bool invert = false;
+    Levels levels;
+    bool operator==(const MaskEntry&) const = default;
+};
+
+/// Starts at `base` everywhere, then takes each entry in order; the result is clamped to 0..1.
+struct Mask {
+    bool enabled = true;
+    bool invert = false;
+    float base = 1.0f;  ///< 1 white (the layer covers everything), 0 black
+    std::vector<MaskEntry> entries;
+    bool operator==(const Mask&) const = default;
+};
+
+struct ChannelSettings {
+    bool enabled = false;
+    Source source = ConstantSource{};  ///< of a group: unused, its children are the source
+    /// Unset: the layer's mode where the channel is a colour, else default_blend_mode(channel).
+    std::optional<BlendMode> mode;
+    float opacity = 1.0f;  ///< 0 to 1
+    bool operator==(const ChannelSettings&) const = default;
+};
+
+/// In which space the colours of a layer blend: physically, or as raster editors do.
+enum class BlendSpace : std::uint8_t { Linear, SrgbEncoded };
+
+struct Layer;
+using LayerPtr = std::shared_ptr<const Layer>;
+
+struct FillContent {
+    bool operator==(const FillContent&) const = default;
+};
+/// Children bottom to top. An isolated group is composited by itself from transparent and then
+/// laid on as one source.
+struct GroupContent {
+    std::vector<LayerPtr> children;
+    bool open = true;  ///< unfolded in the layer list
+    bool operator==(const GroupContent&) const = default;
+};
+using LayerContent = std::variant<FillContent, GroupContent>;
+
+struct Layer {
+    LayerId id;
+    std::string name;
+    bool visible = true;
+    bool locked = false;
+    float opacity = 1.0f;                ///< 0 to 1
+    BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own
+    BlendSpace blend_space = BlendSpace::Linear;
+    Mask mask;
+    PerChannel<ChannelSettings> channels;
+    LayerContent content = FillContent{};
+
+    bool is_group() const { return std::holds_alternative<GroupContent>(content); }
+    /// Compares children by identity: equal means equal content, unequal may still be equal.
+    bool operator==(const Layer&) const = default;
+};
+
+/// The mode that a channel of the layer blends with.
+BlendMode effective_blend_mode(const Layer& layer, Channel channel);
+
+}  // namespace patina

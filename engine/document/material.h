@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A material: its stack of layers and what glTF says of it beside the maps.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/layer.h"
+
+namespace patina {
+
+/// Unique within a document and stable over save and reopen; never 0.
+struct MaterialId {
+    std::uint64_t value = 0;
+    auto operator<=>(const MaterialId&) const = default;
+};
+
+enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
+
+inline constexpr int kMinResolution = 256;
+inline constexpr int kMaxResolution = 8192;
+
+struct Material {
+    MaterialId id;
+    std::string name;
+    std::vector<LayerPtr> stack;  ///< bottom to top
+    int resolution = 2048;        ///< side of the baked maps: 256, 512 ... 8192
+    int uv_set = 0;               ///< TEXCOORD_n that baked maps use
+    float height_scale = 0.02f;   ///< depth of height 1, as a share of the texture's side, 0 to 1
+    AlphaMode alpha_mode = AlphaMode::Opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    bool unlit = false;                                 ///< KHR_materials_unlit
+    float ior = 1.5f;                                   ///< KHR_materials_ior
+    float specular_factor = 1.0f;                       ///< KHR_materials_specular
+    glm::vec3 specular_color_linear = glm::vec3(1.0f);  ///< KHR_materials_specular
+    float emissive_strength = 1.0f;                     ///< KHR_materials_emissive_strength
+    /// Index in the glTF file; unset for the material that stands for primitives without one.
+    std::optional<int> source_material;
+
+    bool operator==(const Material&) const = default;
+};
+
+using MaterialPtr = std::shared_ptr<const Material>;
+
+/// What lies under every stack: base colour 0.5 linear, metalness 0, roughness 0.5, flat normal,
+/// height 0, occlusion 1, emissive 0, opacity 1. Colours and normals in xyz, scalars in x.
+glm::vec3 stack_bottom(Channel channel);
+
+}  // namespace patina

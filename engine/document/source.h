@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Where a layer's channel or a mask entry gets its numbers: a constant, an image, a procedural.
+/// All are functions of the material's UV coordinates (u right, v down, 0..1 is the texture).
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <variant>
+#include <vector>
+
+#include "core/hash.h"
+
+namespace patina {
+
+/// KHR_texture_transform: uv' = offset + rotate(scale * uv). Rotation is counter-clockwise about
+/// the UV origin, as that extension defines it.
+struct UvTransform {
+    glm::vec2 offset = glm::vec2(0.0f);
+    glm::vec2 scale = glm::vec2(1.0f);
+    float rotation_degrees = 0.0f;
+    bool operator==(const UvTransform&) const = default;
+};
+
+enum class Wrap : std::uint8_t { Repeat, Mirror, Clamp };
+enum class Filter : std::uint8_t { Linear, Nearest };
+/// How the stored numbers of an image are read. Data (roughness, normals, masks) is Linear.
+enum class ColorSpace : std::uint8_t { Srgb, Linear };
+/// Which part of the image feeds the channel. Scalars from Rgb read its luminance.
+enum class ChannelPick : std::uint8_t { Rgb, Red, Green, Blue, Alpha };
+
+/// One value everywhere. Colours: linear RGB; scalars: x; normals: tangent space xyz.
+struct ConstantSource {
+    glm::vec3 value = glm::vec3(0.0f);
+    bool operator==(const ConstantSource&) const = default;
+};
+
+/// An image of the document's image table, by the hash of its pixels.
+struct ImageSource {
+    Hash128 image;
+    ColorSpace color_space = ColorSpace::Linear;
+    ChannelPick pick = ChannelPick::Rgb;
+    bool invert = false;             ///< 1 - value, of the stored numbers
+    bool directx_normal = false;     ///< a normal map with -Y up
+    bool alpha_is_coverage = false;  ///< the image's alpha scales the weight of the layer there
+    int uv_set = 0;
+    UvTransform transform;
+    Wrap wrap_u = Wrap::Repeat;
+    Wrap wrap_v = Wrap::Repeat;
+    Filter filter = Filter::Linear;
+    /// value = decoded * multiply + add, where decoded is linear; for normals it is -1..1 and the
+    /// sum is renormalised. glTF's factors, normal scale and occlusion strength are kept here.
+    glm::vec3 multiply = glm::vec3(1.0f);
+    glm::vec3 add = glm::vec3(0.0f);
+    bool operator==(const ImageSource&) const = default;
+};
+
+enum class ProceduralKind : std::uint8_t { ValueNoise, PerlinNoise, WorleyNoise };
+
+struct RampStop {
+    float position = 0.0f;              ///< 0 to 1
+    glm::vec3 value = glm::vec3(0.0f);  ///< as in ConstantSource
+    bool operator==(const RampStop&) const = default;
+};
+inline constexpr int kMaxRampStops = 8;
+
+/// Noise in 0..1, with contrast, mapped through a ramp. Tiles at every whole `scale`; others are
+/// rounded to the next whole number of cells.
+struct ProceduralSource {
+    ProceduralKind kind = ProceduralKind::PerlinNoise;
+    std::uint32_t seed = 0;
+    float scale = 8.0f;     ///< cells across the texture, 1 to 512
+    int octaves = 4;        ///< 1 to 10
+    float contrast = 0.0f;  ///< -1 to 1; 0 leaves the noise, 1 is a threshold at the balance
+    float balance = 0.5f;   ///< 0 to 1; the value that contrast leaves unchanged
+    UvTransform transform;
+    std::vector<RampStop> ramp = {{0.0f, glm::vec3(0.0f)},
+                                  {1.0f, glm::vec3(1.0f)}};  ///< 1 to 8, ascending
+    bool operator==(const ProceduralSource&) const = default;
+};
+
+using Source = std::variant<ConstantSource, ImageSource, ProceduralSource>;
+
+}  // namespace patina

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Encoded images in, pixels out: decoding through OpenImageIO with limits, on worker threads, each
+/// image once, kept by the hash of its content.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "composite/image_provider.h"
+#include "core/progress.h"
+#include "document/document.h"
+
+namespace patina::io {
+
+struct ImageLimits {
+    int max_side = 16384;
+    std::uint64_t max_decoded_bytes = std::uint64_t{2} << 30;
+};
+
+/// Decodes any format that OpenImageIO reads from memory. The size is read from the header and
+/// checked before pixels are decoded. 8-bit stays U8, 16-bit integers U16, half and float F32
+/// (infinities and NaN become the largest finite value and 0). Palettes are expanded.
+/// @param name  for messages and, where the content does not tell the format, its extension
+Result<ImagePtr> decode_image(std::span<const std::byte> encoded, std::string_view name,
+                              const ImageLimits& limits = {});
+
+/// Thread-safe.
+class ImageStore final : public ImageProvider {
+  public:
+    explicit ImageStore(const ImageLimits& limits = {});
+    ~ImageStore() override;
+
+    /// Decodes `encoded` now (or finds that it was decoded before) and returns what the document
+    /// keeps of it. Counts against the limit of all images together.
+    Result<ImageAssetPtr> add(std::shared_ptr<const Bytes> encoded, std::string_view name);
+    /// Reads a file and adds it: PNG and JPEG keep their bytes, other formats are carried as 16-bit
+    /// PNG when they are within 0..1.
+    Result<ImageAssetPtr> add_file(const std::filesystem::path& path);
+
+    Result<ImagePtr> pixels_if_ready(const Hash128& image) override;
+    Result<ImagePtr> pixels(const Hash128& image) override;
+    std::size_t decoded_bytes() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace patina::io
