@@ -41,8 +41,14 @@ struct EnvironmentSettings {
     bool operator==(const EnvironmentSettings&) const = default;
 };
 
+struct Document;
+using DocumentPtr = std::shared_ptr<const Document>;
+
 struct Document {
     SourceAssetPtr source;  ///< as opened; every save splices into this
+    /// The document as it was loaded from `source`; its own `opened` is null. A save compares with
+    /// it to see what was edited. Edits carry it along; it is neither serialised nor compared.
+    DocumentPtr opened;
     ScenePtr scene;
     std::vector<MaterialPtr> materials;  ///< in the order of the file; the default one last
     std::map<Hash128, ImageAssetPtr> images;
@@ -50,8 +56,6 @@ struct Document {
     std::vector<Light> lights;  ///< in the world; those of the file to begin with
     std::uint64_t next_id = 1;  ///< the next layer, mask entry or material id; only grows
 };
-
-using DocumentPtr = std::shared_ptr<const Document>;
 
 /// The material with that id, or null.
 MaterialPtr find_material(const Document& document, MaterialId id);
