@@ -65,6 +65,7 @@ struct Mask {
 };
 
 struct ChannelSettings {
+    /// Of a group: whether this channel of its children's result is laid on.
     bool enabled = false;
     Source source = ConstantSource{};  ///< of a group: unused, its children are the source
     /// Unset: the layer's mode where the channel is a colour, else default_blend_mode(channel).
@@ -72,6 +73,10 @@ struct ChannelSettings {
     float opacity = 1.0f;  ///< 0 to 1
     bool operator==(const ChannelSettings&) const = default;
 };
+
+/// All channels off, with stack_bottom as their constant, so that one that is switched on does no
+/// harm before it is given a source.
+PerChannel<ChannelSettings> default_channels();
 
 /// In which space the colours of a layer blend: physically, or as raster editors do.
 enum class BlendSpace : std::uint8_t { Linear, SrgbEncoded };
@@ -100,7 +105,7 @@ struct Layer {
     BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own
     BlendSpace blend_space = BlendSpace::Linear;
     Mask mask;
-    PerChannel<ChannelSettings> channels;
+    PerChannel<ChannelSettings> channels = default_channels();
     LayerContent content = FillContent{};
 
     bool is_group() const { return std::holds_alternative<GroupContent>(content); }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Edits of a source, be it of a layer's channel or of a mask entry. See edits.h for what holds for
+/// all edits. An edit of a kind of source that is not there (the octaves of an image) is refused.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "document/edit.h"
+
+namespace patina {
+
+/// Where a source is, with the words for it in labels.
+struct SourcePlace {
+    MaterialId material;
+    LayerId layer;
+    std::variant<Channel, MaskEntryId> part;
+    std::string name;  ///< "base colour of Tarnish", "mask entry Drips"
+};
+SourcePlace source_place(const Material& material, const Layer& layer, Channel channel);
+SourcePlace source_place(const Material& material, const Layer& layer, const MaskEntry& entry);
+
+/// The source there, or null when the layer or the entry is gone.
+const Source* find_source(const Material& material, const SourcePlace& place);
+
+/// Puts a whole source there, such as one of another kind. An image has to be in the document.
+Edit set_source(const SourcePlace& place, Source source);
+
+/// Colours: each component 0 to 1, of emissive 0 to 100; metalness, roughness, occlusion, opacity
+/// and masks: x, 0 to 1; height: x, -1 to 1; normal: -1 to 1 each and not zero (kept as a unit
+/// vector).
+Edit set_constant(const SourcePlace& place, const glm::vec3& value);
+
+Edit set_procedural_kind(const SourcePlace& place, ProceduralKind kind);
+Edit set_procedural_seed(const SourcePlace& place, std::uint32_t seed);
+Edit set_procedural_scale(const SourcePlace& place, float scale);
+Edit set_procedural_octaves(const SourcePlace& place, int octaves);
+Edit set_procedural_contrast(const SourcePlace& place, float contrast);
+Edit set_procedural_balance(const SourcePlace& place, float balance);
+/// All stops at once: 1 to kMaxRampStops, positions 0 to 1 and ascending, values as in
+/// set_constant.
+Edit set_ramp(const SourcePlace& place, std::vector<RampStop> stops);
+/// Moves or recolours one stop; its position has to stay between its neighbours'.
+Edit set_ramp_stop(const SourcePlace& place, int index, const RampStop& stop);
+
+Edit set_image(const SourcePlace& place, const ImageAssetPtr& image);  ///< in the document already
+Edit set_image_color_space(const SourcePlace& place, ColorSpace space);
+Edit set_image_pick(const SourcePlace& place, ChannelPick pick);
+Edit set_image_invert(const SourcePlace& place, bool invert);
+Edit set_image_directx_normal(const SourcePlace& place, bool directx_normal);
+Edit set_image_alpha_is_coverage(const SourcePlace& place, bool alpha_is_coverage);
+Edit set_image_uv_set(const SourcePlace& place, int uv_set);  ///< 0 or 1
+Edit set_image_wrap(const SourcePlace& place, Wrap wrap_u, Wrap wrap_v);
+Edit set_image_filter(const SourcePlace& place, Filter filter);
+/// value = decoded * multiply + add; each component -100 to 100.
+Edit set_image_range(const SourcePlace& place, const glm::vec3& multiply, const glm::vec3& add);
+
+/// Of an image or a procedural. Scale may be negative (mirrored) but not zero.
+Edit set_uv_offset(const SourcePlace& place, const glm::vec2& offset);
+Edit set_uv_scale(const SourcePlace& place, const glm::vec2& scale);
+Edit set_uv_rotation(const SourcePlace& place, float degrees);
+/// All of it at once, as a handle in the viewport or "Reset" does.
+Edit set_uv_transform(const SourcePlace& place, const UvTransform& transform);
+
+}  // namespace patina
