@@ -15,7 +15,9 @@
 namespace patina {
 namespace {
 
-std::string shown(const std::filesystem::path& path) { return quoted_for_message(path.string()); }
+std::string shown(const std::filesystem::path& path) {
+    return quoted_for_message(path.string());
+}
 
 /// An owned POSIX descriptor.
 class Descriptor {
@@ -104,7 +106,8 @@ bool write_temporary(const std::filesystem::path& temporary, std::optional<mode_
 }
 
 void flush_folder(const std::filesystem::path& folder) {
-    const Descriptor handle(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const Descriptor handle(
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     // Some file systems cannot flush a folder; the rename has happened all the same.
     if (handle) ::fsync(handle.get());
 }
@@ -163,8 +166,10 @@ Result<std::filesystem::path> resource_folder(std::string_view name) {
         if (is_source_tree && std::filesystem::is_directory(folder / name, error))
             return folder / name;
     }
-    return failure("the folder '{}' is neither beside the program ({}) nor in a source tree above it; "
-                   "reinstall Patina", name, shown(installed.lexically_normal()));
+    return failure(
+        "the folder '{}' is neither beside the program ({}) nor in a source tree above it; "
+        "reinstall Patina",
+        name, shown(installed.lexically_normal()));
 }
 
 }  // namespace patina

@@ -10,7 +10,9 @@
 namespace patina {
 namespace {
 
-Hash128 from_xxhash(const XXH128_hash_t& hash) { return {.high = hash.high64, .low = hash.low64}; }
+Hash128 from_xxhash(const XXH128_hash_t& hash) {
+    return {.high = hash.high64, .low = hash.low64};
+}
 
 std::optional<std::uint64_t> parse_hex64(std::string_view digits) {
     for (const char c : digits) {
@@ -24,7 +26,9 @@ std::optional<std::uint64_t> parse_hex64(std::string_view digits) {
 
 }  // namespace
 
-std::string to_hex(const Hash128& hash) { return fmt::format("{:016x}{:016x}", hash.high, hash.low); }
+std::string to_hex(const Hash128& hash) {
+    return fmt::format("{:016x}{:016x}", hash.high, hash.low);
+}
 
 std::optional<Hash128> hash_from_hex(std::string_view text) {
     if (text.size() != 32) return std::nullopt;
@@ -46,7 +50,9 @@ struct Hasher::State {
     XXH3_state_t xxh3;
 };
 
-Hasher::Hasher() : state_(std::make_unique<State>()) { XXH3_128bits_reset(&state_->xxh3); }
+Hasher::Hasher() : state_(std::make_unique<State>()) {
+    XXH3_128bits_reset(&state_->xxh3);
+}
 Hasher::~Hasher() = default;
 
 Hasher& Hasher::add_raw(const void* data, std::size_t size_bytes) {
@@ -64,6 +70,8 @@ Hasher& Hasher::add_bytes(std::span<const std::byte> bytes) {
     return add_raw(bytes.data(), bytes.size());
 }
 
-Hash128 Hasher::finish() const { return from_xxhash(XXH3_128bits_digest(&state_->xxh3)); }
+Hash128 Hasher::finish() const {
+    return from_xxhash(XXH3_128bits_digest(&state_->xxh3));
+}
 
 }  // namespace patina

@@ -46,8 +46,7 @@ class Hasher {
     /// A number or an enumerator. Structures are added member by member: their padding is not
     /// content. Minus zero counts as zero.
     template <typename T>
-        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-    Hasher& add(T value) {
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) Hasher& add(T value) {
         if constexpr (std::is_floating_point_v<T>) value = value == T(0) ? T(0) : value;
         return add_raw(&value, sizeof value);
     }

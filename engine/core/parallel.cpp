@@ -26,6 +26,8 @@ ThreadLimit::ThreadLimit(int threads)
     assert(threads >= 1);
 }
 
-ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
+ThreadLimit::~ThreadLimit() {
+    delete static_cast<tbb::global_control*>(control_);
+}
 
 }  // namespace patina

@@ -18,7 +18,9 @@ class Progress {
     Progress() : state_(std::make_shared<State>()) {}
 
     /// Worker: `fraction` of the whole that is done, 0 to 1.
-    void report(float fraction) const { state_->fraction.store(fraction, std::memory_order_relaxed); }
+    void report(float fraction) const {
+        state_->fraction.store(fraction, std::memory_order_relaxed);
+    }
     /// Worker: what is being done now, such as "Baking 4 maps at 4096".
     void set_stage(std::string_view stage) const {
         const std::lock_guard lock(state_->stage_mutex);

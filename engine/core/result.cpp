@@ -45,7 +45,8 @@ std::string quoted_for_message(std::string_view text, std::size_t limit_bytes) {
         const auto first = static_cast<std::uint8_t>(sequence.front());
         const bool printable =
             length != 0 && first >= 0x20 && first != 0x7F && !is_c1_control(sequence);
-        const std::string piece = printable ? std::string(sequence) : fmt::format("\\x{:02x}", first);
+        const std::string piece =
+            printable ? std::string(sequence) : fmt::format("\\x{:02x}", first);
         if (quoted.size() + piece.size() > limit_bytes) return quoted + "…";
         quoted += piece;
         at += printable ? sequence.size() : 1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Errors as values. What may fail for reasons outside the program returns Result<T>; the message is
-/// one line that says what, where (file and place), why, and what to do. Exceptions never cross a
-/// public function of the engine; `assert` is for what cannot happen, never for what a file says.
+/// Errors as values. What may fail for reasons outside the program returns Result<T>; the message
+/// is one line that says what, where (file and place), why, and what to do. Exceptions never cross
+/// a public function of the engine; `assert` is for what cannot happen, never for what a file says.
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What the file's scene shows, flattened: meshes, and where each stands in the world. Right-handed,
-/// +Y up, metres. Skins and morphs have been applied at rest.
+/// What the file's scene shows, flattened: meshes, and where each stands in the world.
+/// Right-handed, +Y up, metres. Skins and morphs have been applied at rest.
 
 #include <glm/glm.hpp>
 #include <memory>
