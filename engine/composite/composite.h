@@ -34,6 +34,10 @@ struct MapSet {
     const ImagePtr& operator[](BakedMap map) const { return maps[static_cast<std::size_t>(map)]; }
 };
 
+/// The maps that the slots of a program read, in order: those of a slot that is not constant. A
+/// slot that shows an untouched image counts too, for whoever draws the composite instead of it.
+std::vector<BakedMap> maps_of(const Program& program);
+
 /// Bakes whole maps, without any cache. Images that cannot be decoded are a failure that names
 /// them. `size` is 1 to 16384, a power of two or not.
 /// @param wanted  the maps to make; see Program::slots for those that a material needs
@@ -55,11 +59,17 @@ class LiveComposite {
         bool images_missing = false;  ///< some image is still being decoded: ask again later
         double elapsed_ms = 0.0;
     };
-    /// Brings the maps up to date with `program` at `size` texels a side; equals bake_maps bit for
-    /// bit. Images that cannot be decoded show as a grey checker and are named in the log once.
+    /// Brings the maps of `maps_of(program)` up to date at `size` texels a side (the others become
+    /// null: all their slots are constant); equals bake_maps bit for bit. Images that cannot be
+    /// decoded show as a grey checker and are named in the log once.
     Result<Update> update(const Program& program, ImageProvider& images, int size,
                           const Progress& progress = {});
-    /// The result of the last update; shared, never changed afterwards.
+    /// The same where the caller knows that texels outside `within` are as after the last update
+    /// (a brush stroke); only those inside are composited.
+    Result<Update> update_within(const TexelRect& within, const Program& program,
+                                 ImageProvider& images, int size, const Progress& progress = {});
+    /// The result of the last update. Pixels that someone else still holds never change: hold on
+    /// to a map no longer than needed, and the next update can write in place.
     const MapSet& maps() const;
     std::size_t cache_bytes() const;
 

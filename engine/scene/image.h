@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/hash.h"
+#include "core/pixel_memory.h"
 
 namespace patina {
 
@@ -26,7 +26,8 @@ struct Image {
     int height = 0;    ///< 1 to 16384
     int channels = 0;  ///< 1 grey, 2 grey+alpha, 3 RGB, 4 RGBA
     SampleType type = SampleType::U8;
-    std::vector<std::byte> data;  ///< width * height * channels * sample_bytes(type)
+    /// width * height * channels * sample_bytes(type); resize() does not clear it.
+    PixelVector<std::byte> data;
 
     std::size_t row_bytes() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels) *
