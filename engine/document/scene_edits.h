@@ -26,7 +26,7 @@ Edit set_environment_intensity(float intensity);
 /// The most lights of a document.
 inline constexpr int kMaxLights = 64;
 
-/// Lights are known by their place in Document::lights. Colour 0 to 1 each, intensity 0 to 1e6,
+/// Lights are known by their place in Document::lights. Colour 0 to 1 each, intensity 0 to 1e9,
 /// direction not zero (kept as a unit vector), cones 0 <= inner < outer <= 90 degrees.
 Edit add_light(const Light& light);
 Edit remove_light(int index);

@@ -28,7 +28,7 @@ const Source* find_source(const Material& material, const SourcePlace& place);
 /// Puts a whole source there, such as one of another kind. An image has to be in the document.
 Edit set_source(const SourcePlace& place, Source source);
 
-/// Colours: each component 0 to 1, of emissive 0 to 100; metalness, roughness, occlusion, opacity
+/// Colours and emissive: each component 0 to 1, linear; metalness, roughness, occlusion, opacity
 /// and masks: x, 0 to 1; height: x, -1 to 1; normal: -1 to 1 each and not zero (kept as a unit
 /// vector).
 Edit set_constant(const SourcePlace& place, const glm::vec3& value);
@@ -54,7 +54,7 @@ Edit set_image_alpha_is_coverage(const SourcePlace& place, bool alpha_is_coverag
 Edit set_image_uv_set(const SourcePlace& place, int uv_set);  ///< 0 or 1
 Edit set_image_wrap(const SourcePlace& place, Wrap wrap_u, Wrap wrap_v);
 Edit set_image_filter(const SourcePlace& place, Filter filter);
-/// value = decoded * multiply + add; each component -100 to 100.
+/// value = decoded * multiply + add; each component -1000 to 1000.
 Edit set_image_range(const SourcePlace& place, const glm::vec3& multiply, const glm::vec3& add);
 
 /// Of an image or a procedural. Scale may be negative (mirrored) but not zero.
