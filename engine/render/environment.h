@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Light from all around, filtered for the renderer. CPU work on the pool's threads; the result is
+/// a value that is uploaded in one go, so no frame waits for it: ask for Quality::First, show it,
+/// ask for Quality::Finished on a worker, show that. The same texels with any number of threads.
+///
+/// Directions: (x, y, z) reads an equirectangular map at u = 0.5 + atan2(z, x) / 2pi,
+/// v = acos(y) / pi from the top row, so the centre column lies towards +X. Radiance is linear
+/// Rec. 709, without unit: 1 is white at exposure 0.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/result.h"
+#include "scene/image.h"
+
+namespace patina::render {
+
+/// A cube map in half floats: faces +X -X +Y -Y +Z -Z with OpenGL's orientation, rows from t = 0,
+/// RGB. levels[i] is face_size >> i texels a side.
+struct HalfCube {
+    int face_size = 0;
+    std::vector<std::vector<std::uint16_t>> levels;  ///< 6 * side * side * 3 values each
+    std::size_t bytes() const;
+};
+
+enum class FilterQuality {
+    First,     ///< to have light at once: small faces, few samples
+    Finished,  ///< what is kept
+};
+
+/// An environment ready for the renderer.
+struct FilteredEnvironment {
+    Hash128 source;  ///< content_hash of the map it was made of
+    FilterQuality quality = FilterQuality::First;
+    /// Radiance convolved with GGX for n = v = r; level i is for the roughness
+    /// prefiltered_roughness(i / (levels - 1)), level 0 is the map itself.
+    HalfCube specular;
+    /// Irradiance / pi: what a white Lambert surface sends out. One level.
+    HalfCube diffuse;
+    /// The mean of radiance over the sphere, and the strongest directional light in the map (the
+    /// way the light travels, and irradiance on a surface that faces it): what the traditional
+    /// models see of the environment. Their sum over a sphere keeps the map's energy.
+    glm::vec3 ambient_linear = glm::vec3(0.0f);
+    glm::vec3 key_direction_world = glm::vec3(0.0f, -1.0f, 0.0f);
+    glm::vec3 key_irradiance_linear = glm::vec3(0.0f);
+};
+
+/// Filters an equirectangular map of any size: 1 to 4 channels (grey or RGB; alpha is ignored), F32
+/// linear, or U8/U16 taken as sRGB. Peaks beyond 65504 are kept in all that is filtered; in the
+/// sharp level, where a half float ends, their energy goes to the texels around them.
+Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQuality quality,
+                                               const Progress& progress = {});
+
+struct BuiltinEnvironment {
+    std::string_view id;
+    std::string_view label;
+    std::string_view tooltip;
+};
+inline constexpr std::array<BuiltinEnvironment, 3> kBuiltinEnvironments = {{
+    {"studio", "Studio", "Three soft boxes in a dark room"},
+    {"sky", "Sky", "A clear sky with a low sun"},
+    {"white", "White", "The same light from everywhere"},
+}};
+/// One of kBuiltinEnvironments as an equirectangular map, RGB F32, 2 * height x height. Unknown
+/// names are a failure that lists the known ones.
+Result<Image> builtin_environment(std::string_view id, int height = 256);
+
+/// The roughness of a position 0 to 1 among the levels of FilteredEnvironment::specular, and back.
+/// More levels are spent on smooth surfaces, where the eye sees steps.
+float prefiltered_roughness(float level_share);
+float prefiltered_level_share(float roughness);
+
+/// The environment term of the split sum for glTF's default terms: texel (i, j) of a size x size
+/// table holds, for n.v = (i + 0.5) / size and roughness = (j + 0.5) / size, the scale (x) and bias
+/// (y) of F0 in the directional albedo, F0 * x + y. Karis, "Real Shading in Unreal Engine 4", 2013.
+std::vector<glm::vec2> environment_brdf_table(int size);
+
+}  // namespace patina::render

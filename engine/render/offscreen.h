@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A picture of a document without a window: what `patina render` writes. Makes its own surfaceless
+/// OpenGL context; nothing may be current on the calling thread.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "composite/image_provider.h"
+#include "core/progress.h"
+#include "core/result.h"
+#include "document/document.h"
+#include "render/renderer.h"
+#include "render/view.h"
+
+namespace patina::render {
+
+struct OffscreenRequest {
+    PictureSize size = {1280, 720};
+    int samples = 16;     ///< sub-pixel samples, 1 to 65536
+    bool linear = false;  ///< linear radiance (or raw channel numbers) in F32 instead of sRGB in U8
+    /// Everything but what the document says: its lights are added to the view's, its environment's
+    /// rotation is added and its intensity multiplied.
+    View view;
+    /// Set: `view.camera` is replaced by one that frames the scene from here.
+    std::optional<ViewDirection> automatic_camera = ViewDirection::ThreeQuarter;
+    /// An equirectangular map that is decoded already; null: the built-in one that the document
+    /// names, or the studio.
+    ImagePtr environment;
+    int max_map_size = kMaxResolution;  ///< baked maps are made at most this large
+};
+
+struct RenderedImage {
+    Image image;  ///< RGBA, row 0 at the top; U8 sRGB with straight alpha, or F32 premultiplied
+    FrameStats stats;
+    double bake_ms = 0.0;
+    double environment_ms = 0.0;
+    double render_ms = 0.0;
+};
+
+/// Composites the materials, filters the environment and draws.
+Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
+                                       const OffscreenRequest& request,
+                                       const Progress& progress = {});
+
+/// Ten pictures in one, the strip of channels, each `thumbnail` large.
+Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,
+                                             const OffscreenRequest& request, PictureSize thumbnail,
+                                             const Progress& progress = {});
+
+}  // namespace patina::render

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The deferred renderer. What lives in this folder: values that describe a view, the surfaces and
+/// the light (view.h, surface.h, environment.h), and this, which draws them. The one idea: all that
+/// can be seen of a surface is written to the G-buffer once, and every shading model, channel view
+/// and comparison reads it from there. May include core, scene, document, composite and gl.
+///
+/// A Renderer belongs to the OpenGL context that is current when it is made, and to its thread:
+/// every function, and the destructor, needs that context current.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "render/environment.h"
+#include "render/surface.h"
+#include "render/view.h"
+#include "scene/scene.h"
+
+namespace patina::render {
+
+/// What one pass took, by a timer query of the GPU.
+struct PassCost {
+    std::string_view name;  ///< "G-buffer", "Lighting", "Post" ...
+    double gpu_ms = 0.0;
+};
+
+/// What one side of a comparison costs (a single view has only the left one).
+struct SideCost {
+    std::vector<PassCost> passes;
+    double frame_ms = 0.0;  ///< the sum of `passes`
+    std::size_t gbuffer_bytes = 0;
+    std::size_t environment_bytes = 0;  ///< what of it this shading model reads
+    std::size_t bytes() const { return gbuffer_bytes + environment_bytes; }
+};
+
+struct FrameStats {
+    SideCost left;
+    std::optional<SideCost> right;
+    std::size_t material_texture_bytes = 0;
+    std::size_t triangles = 0;
+};
+
+/// What the G-buffer and the inspection pass hold at one pixel.
+struct Probe {
+    int instance = -1;   ///< index into Scene::instances
+    int primitive = -1;  ///< index into Mesh::primitives
+    int source_material = -1;
+    glm::vec2 uv = glm::vec2(0.0f);  ///< TEXCOORD_0, as in the file
+    /// By ChannelView, as many numbers as ChannelViewInfo::components; in its unit, colours linear,
+    /// light as radiance before exposure.
+    std::array<glm::vec3, kChannelViewCount> values = {};
+    const glm::vec3& operator[](ChannelView view) const {
+        return values[static_cast<std::size_t>(view)];
+    }
+};
+
+/// What a pixel belongs to.
+struct Pick {
+    int instance = -1;
+    int primitive = -1;
+    int source_material = -1;
+};
+
+/// Where a G-buffer or picture pixel is: x from the left, y from the top.
+struct Pixel {
+    int x = 0;
+    int y = 0;
+    bool operator==(const Pixel&) const = default;
+};
+
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+    bool operator==(const PictureSize&) const = default;
+};
+inline constexpr int kMaxPictureSide = 16384;
+
+class Renderer {
+  public:
+    /// Compiles the programs (shaders are found by resource_folder). Needs OpenGL 4.1 core.
+    static Result<Renderer> create();
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// Uploads the meshes of a scene and forgets the one before. Materials are kept.
+    Status set_scene(const ScenePtr& scene);
+
+    /// How primitives with this Primitive::source_material look from now on. Only what differs from
+    /// the surface set before is uploaded; mips are made on the CPU.
+    /// @param changed  when the baked maps are the ones set before but for these texels: the only
+    ///                 ones that are uploaded of maps whose size is unchanged
+    Status set_material(int source_material, const SurfaceMaterial& surface,
+                        const std::optional<TexelRect>& changed = std::nullopt);
+    /// Forgets all materials; primitives without one are drawn with plain_surface().
+    void clear_materials();
+
+    Status set_environment(const FilteredEnvironment& environment);
+
+    /// Draws a view at `size`; the picture stays in a texture of the renderer until the next draw.
+    /// Sides are 1 to kMaxPictureSide. Costs are those of the last frame whose queries have ended.
+    Result<FrameStats> draw(const View& view, PictureSize size);
+    /// The name of that texture for Dear ImGui (ImTextureID), sRGB-encoded RGBA8, row 0 at the
+    /// bottom as OpenGL has it. Valid until the next draw of another size.
+    std::uintptr_t picture_texture() const;
+
+    /// Draws the kStripChannelCount channels of `view` (left shading) into one picture, each
+    /// `thumbnail` large, beside each other from the left; one G-buffer serves them all.
+    Status draw_strip(const View& view, PictureSize thumbnail);
+    /// As picture_texture(): kStripChannelCount * thumbnail wide.
+    std::uintptr_t strip_texture() const;
+
+    /// Draws `samples` times with sub-pixel offsets and averages: a still without jagged edges.
+    /// RGBA U8, sRGB-encoded, straight alpha, row 0 at the top.
+    Result<Image> still_srgb(const View& view, PictureSize size, int samples);
+    /// The same as linear radiance without exposure and tone map, or the raw numbers of a channel:
+    /// RGBA F32, premultiplied, alpha is coverage.
+    Result<Image> still_linear(const View& view, PictureSize size, int samples);
+
+    /// The picture of the last draw or draw_strip: RGBA U8, sRGB-encoded, row 0 at the top.
+    Result<Image> read_picture();
+    Result<Image> read_strip();
+
+    /// What the view shows at a pixel of the picture of the last draw; nothing where no surface is.
+    Result<std::optional<Probe>> probe(Pixel pixel);
+    std::optional<Pick> pick(Pixel pixel);
+
+    /// Bounds of what is drawn, in the world.
+    const Bounds& bounds_world() const;
+
+  private:
+    struct State;
+    explicit Renderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace patina::render

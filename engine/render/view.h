@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// All that decides a picture of a scene beside the scene itself, as one value: camera, shading at
+/// either side, what is shown, light, exposure. Equal views of an unchanged scene are equal
+/// pictures, so a frame is drawn only when the view or the scene has changed.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string_view>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/channel_view.h"
+#include "render/shading.h"
+#include "scene/scene.h"
+
+namespace patina::render {
+
+enum class CompareMode {
+    Single,      ///< `left` alone
+    Split,       ///< `left` and `right` at either side of the divider, one picture
+    TwoViews,    ///< `left` and `right` beside each other, each in half of the width
+    Difference,  ///< |luminance left - luminance right|, linear and exposed, as a heat map
+};
+
+enum class ToneMap { None, Reinhard, Aces, Agx, PbrNeutral };
+
+inline constexpr std::array<Choice<ToneMap>, 5> kToneMaps = {{
+    {ToneMap::None, "none", "None", "Values above 1 are cut"},
+    {ToneMap::Reinhard, "reinhard", "Reinhard", "x / (1 + x)"},
+    {ToneMap::Aces, "aces", "ACES", "Filmic contrast, fitted"},
+    {ToneMap::Agx, "agx", "AgX", "Soft, highlights lose their colour"},
+    {ToneMap::PbrNeutral, "pbr-neutral", "PBR Neutral",
+     "Khronos: keeps base colours, compresses only highlights"},
+}};
+inline constexpr std::array<Choice<CompareMode>, 4> kCompareModes = {{
+    {CompareMode::Single, "single", "Single", "One view"},
+    {CompareMode::Split, "split", "Split", "Two shadings at either side of a divider"},
+    {CompareMode::TwoViews, "two-views", "Two views", "Two shadings side by side"},
+    {CompareMode::Difference, "difference", "Difference", "Where two shadings differ, as heat"},
+}};
+
+struct Background {
+    enum class Kind {
+        Studio,              ///< a dark grey backdrop with a floor that takes a contact shadow
+        Environment,         ///< the environment, sharp
+        BlurredEnvironment,  ///< the environment, out of focus
+        Color,               ///< one plain colour
+        Transparent,         ///< alpha 0; colours are premultiplied
+    };
+    Kind kind = Kind::Studio;
+    glm::vec3 color_srgb = glm::vec3(0.1f);  ///< Kind::Color: as on screen, not tone-mapped, 0 to 1
+    bool operator==(const Background&) const = default;
+};
+inline constexpr std::array<Choice<Background::Kind>, 5> kBackgrounds = {{
+    {Background::Kind::Studio, "studio", "Studio", "A dark grey backdrop with a floor"},
+    {Background::Kind::Environment, "environment", "Environment", "The environment, sharp"},
+    {Background::Kind::BlurredEnvironment, "blurred", "Blurred", "The environment, out of focus"},
+    {Background::Kind::Color, "color", "Colour", "One plain colour"},
+    {Background::Kind::Transparent, "none", "None", "Transparent"},
+}};
+
+/// What serves against jagged edges in one draw. Stills average several draws instead.
+enum class AntiAliasing { None, Fast };
+
+struct View {
+    Camera camera;
+    CompareMode compare = CompareMode::Single;
+    float divider = 0.5f;  ///< 0 to 1 of the width; Split only
+    Shading left;
+    Shading right = {.model = ShadingModel::Phong};
+    ChannelView channel = ChannelView::Final;
+    float difference_range = 1.0f;  ///< the luminance difference that is the top of the heat map
+
+    float environment_rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
+    float environment_intensity = 1.0f;         ///< times the radiance of the map
+    std::vector<Light> lights;  ///< at most kMaxLights are used; the first is the key light
+
+    Background background;
+    bool ground_shadow = true;  ///< contact shadow on the floor; Studio only
+    float exposure_ev = 0.0f;   ///< radiance is multiplied by 2^EV
+    ToneMap tone_map = ToneMap::PbrNeutral;
+    AntiAliasing anti_aliasing = AntiAliasing::Fast;
+    bool operator==(const View&) const = default;
+};
+inline constexpr int kMaxLights = 16;
+
+/// The entry of `choices` whose id is `id`, or null.
+template <typename Enum, std::size_t N>
+constexpr const Choice<Enum>* choice_from_id(const std::array<Choice<Enum>, N>& choices,
+                                             std::string_view id) {
+    for (const Choice<Enum>& choice : choices)
+        if (choice.id == id) return &choice;
+    return nullptr;
+}
+
+}  // namespace patina::render
