@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "gl/buffer.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <cassert>
+
+namespace patina::gl {
+namespace {
+
+GLenum bind_target(BufferKind kind) {
+    switch (kind) {
+        case BufferKind::Vertices:
+            return GL_ARRAY_BUFFER;
+        case BufferKind::Indices:
+            return GL_ELEMENT_ARRAY_BUFFER;
+        case BufferKind::Uniforms:
+            return GL_UNIFORM_BUFFER;
+    }
+    return GL_ARRAY_BUFFER;
+}
+
+GLenum component_type(ComponentType type) {
+    switch (type) {
+        case ComponentType::Float:
+            return GL_FLOAT;
+        case ComponentType::UnsignedByteNormalized:
+            return GL_UNSIGNED_BYTE;
+        case ComponentType::UnsignedShortNormalized:
+            return GL_UNSIGNED_SHORT;
+    }
+    return GL_FLOAT;
+}
+
+void enable(const VertexAttribute& attribute, std::size_t stride_bytes) {
+    const auto location = static_cast<GLuint>(attribute.location);
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, attribute.components, component_type(attribute.type),
+                          attribute.type == ComponentType::Float ? GL_FALSE : GL_TRUE,
+                          static_cast<GLsizei>(stride_bytes),
+                          reinterpret_cast<const void*>(attribute.offset_bytes));
+}
+
+}  // namespace
+
+Buffer Buffer::make(const BufferDescription& description) {
+    Buffer buffer;
+    buffer.kind_ = description.kind;
+    buffer.use_ = description.use;
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    glBindBuffer(bind_target(description.kind), name);
+    buffer.object_ = Object(ObjectKind::Buffer, name, description.label);
+    buffer.write(description.content);
+    return buffer;
+}
+
+void Buffer::write(std::span<const std::byte> content) {
+    bytes_ = content.size();
+    glBindBuffer(bind_target(kind_), name());
+    glBufferData(bind_target(kind_), static_cast<GLsizeiptr>(content.size()), content.data(),
+                 use_ == BufferUse::Static ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
+}
+
+VertexArray VertexArray::make(const VertexArrayDescription& description) {
+    assert(description.vertices.empty() || description.stride_bytes > 0);
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    glBindVertexArray(name);
+    VertexArray array;
+    array.object_ = Object(ObjectKind::VertexArray, name, description.label);
+    if (!description.vertices.empty()) {
+        array.vertices_ = Buffer::make({.label = fmt::format("{}.vertices", description.label),
+                                        .kind = BufferKind::Vertices,
+                                        .content = description.vertices});
+        for (const VertexAttribute& attribute : description.attributes)
+            enable(attribute, description.stride_bytes);
+        array.count_ = static_cast<int>(description.vertices.size() / description.stride_bytes);
+    }
+    if (!description.indices.empty()) {
+        array.indices_ = Buffer::make({.label = fmt::format("{}.indices", description.label),
+                                       .kind = BufferKind::Indices,
+                                       .content = std::as_bytes(description.indices)});
+        array.count_ = static_cast<int>(description.indices.size());
+    }
+    glBindVertexArray(0);
+    return array;
+}
+
+std::uint64_t VertexArray::bytes() const {
+    return (vertices_ ? vertices_->bytes() : 0) + (indices_ ? indices_->bytes() : 0);
+}
+
+}  // namespace patina::gl
