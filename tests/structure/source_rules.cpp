@@ -50,7 +50,7 @@ const std::array kLibraries = {
     Library{"tinygltf", {"tiny_gltf"}, {"engine/io"}},
     Library{"OpenImageIO", {"OpenImageIO/"}, {"engine/io"}},
     Library{"CLI11", {"CLI/"}, {"app/cli"}},
-    Library{"Highway", {"hwy/"}, {"engine/core/formulae", "engine/composite"}},
+    Library{"Highway", {"hwy/"}, {"engine/core/formulae", "engine/composite", "engine/io"}},
 };
 
 bool lies_in(std::string_view path, std::string_view folder) {
