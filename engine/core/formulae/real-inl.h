@@ -184,6 +184,9 @@ HWY_INLINE Bool operator==(Uint a, Uint b) {
 HWY_INLINE Real select(Bool condition, Real if_true, Real if_false) {
     return Real(hn::IfThenElse(condition.mask, if_true.lanes, if_false.lanes));
 }
+HWY_INLINE Real select(Bool condition, float if_true, float if_false) {
+    return select(condition, Real(if_true), Real(if_false));
+}
 HWY_INLINE Int select(Bool condition, Int if_true, Int if_false) {
     const auto mask = hn::RebindMask(IntLanes(), condition.mask);
     return Int(hn::IfThenElse(mask, if_true.lanes, if_false.lanes));

@@ -3,7 +3,21 @@
 // meaning of Real. Every file of shaders/shared/ but the GLSL prelude stands in both lists.
 
 #undef SHARED_BLEND_GLSL
+#undef SHARED_COLOR_GLSL
 #undef SHARED_COMPOSITING_GLSL
+#undef SHARED_HEIGHT_GLSL
+#undef SHARED_MASK_GLSL
+#undef SHARED_NOISE_GLSL
+#undef SHARED_NORMAL_BLEND_GLSL
+#undef SHARED_RAMP_GLSL
+#undef SHARED_TRANSCENDENTAL_GLSL
 
 #include "shared/blend.glsl"
+#include "shared/color.glsl"
 #include "shared/compositing.glsl"
+#include "shared/height.glsl"
+#include "shared/mask.glsl"
+#include "shared/noise.glsl"
+#include "shared/normal_blend.glsl"
+#include "shared/ramp.glsl"
+#include "shared/transcendental.glsl"

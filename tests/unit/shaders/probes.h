@@ -20,6 +20,18 @@ inline constexpr Probe kProbes[] = {
     {"blend: hard light, overlay, soft light, subtract", 1e-6f},
     {"blend: darken, lighten, difference; over_coverage", 1e-6f},
     {"over_premultiplied, unpremultiplied, over_opaque", 1e-6f},
+    {"srgb_from_linear, linear_from_srgb, luminance", 2e-6f},
+    {"normal_blend_rnm; height_add", 2e-6f},
+    {"normal_blend_udn, normal_faded; height_max", 2e-6f},
+    {"normal_blend_whiteout; height_slope", 2e-6f},
+    {"normal_over, normal_from_encoded; height_normal", 2e-6f},
+    {"levels, contrasted, inverted", 4e-6f},
+    {"mask: add, subtract, lighten, multiply, darken, replace", 1e-6f},
+    {"ramp_color, ramp_scalar", 2e-6f},
+    {"exp2_poly, log2_poly, pow_poly, acos_poly", 4e-6f},
+    {"sin_poly, cos_poly, atan2_poly", 2e-6f},
+    {"value_noise, perlin_noise, worley_noise", 4e-6f},
+    {"fbm of the three noises", 4e-6f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#ifndef SHARED_HEIGHT_GLSL
+#define SHARED_HEIGHT_GLSL
+
+// Heights: signed, 0 is the surface, unclamped; and the normals that they bend.
+
+/// Signed add. Commutative; 0 is neutral.
+Real height_add(Real backdrop, Real source) {
+    return backdrop + source;
+}
+
+/// The higher of the two. Commutative; equal heights return themselves.
+Real height_max(Real backdrop, Real source) {
+    return max(backdrop, source);
+}
+
+/// Slope per texel across three columns of three heights, of which the outer two are given:
+/// Sobel's operator, which is exact for planes. Irwin Sobel, 1968.
+/// Arguments: the column (or row) before, in order, then the one after.
+Real height_slope(Real before_a, Real before_b, Real before_c, Real after_a, Real after_b,
+                  Real after_c) {
+    Real rise = (after_a - before_a) + 2.0f * (after_b - before_b) + (after_c - before_c);
+    return rise * 0.125f;
+}
+
+/// The tangent-space normal of a height field with these slopes, height gained per length to the
+/// right (+u) and up (-v in glTF's texture coordinates, +Y of the tangent frame).
+/// Slopes of 0 give flat; exact for planes.
+Real3 height_normal(Real slope_right, Real slope_up) {
+    Real scale = inversesqrt(slope_right * slope_right + slope_up * slope_up + 1.0f);
+    return Real3(-slope_right * scale, -slope_up * scale, scale);
+}
+
+#endif

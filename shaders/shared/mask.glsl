@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#ifndef SHARED_MASK_GLSL
+#define SHARED_MASK_GLSL
+
+#include "shared/transcendental.glsl"
+
+// Masks: 0 hides, 1 shows. Entries are adjusted, joined to what is there and laid over by opacity.
+
+/// Levels: in_low..in_high is stretched to 0..1 and held there, raised to 1 / gamma and put into
+/// out_low..out_high. As in raster editors (GIMP, "Levels"); in_low = in_high is a threshold.
+/// The defaults 0, 1, 1, 0, 1 return x of 0..1 unchanged.
+Real levels(Real x, float in_low, float in_high, float gamma, float out_low, float out_high) {
+    float width = in_high - in_low;
+    // A flat input range divides by a tiny number of the same sign: all or nothing.
+    float slope = 1.0f / (width < 0.0f ? min(width, -1e-6f) : max(width, 1e-6f));
+    Real t = clamp((x - in_low) * slope, 0.0f, 1.0f);
+    if (gamma != 1.0f) t = pow_poly(t, 1.0f / gamma);
+    return mix(out_low, out_high, t);
+}
+
+/// The complement. Twice returns x.
+Real inverted(Real x) {
+    return 1.0f - x;
+}
+
+/// Contrast about a balance that stays: -1 is flat there, 0 changes nothing, 1 is a threshold.
+/// x, balance: 0..1; the result is held to 0..1.
+Real contrasted(Real x, float contrast, float balance) {
+    float slope = contrast < 0.0f ? 1.0f + contrast : 1.0f / max(1.0f - contrast, 1e-4f);
+    return clamp((x - balance) * slope + balance, 0.0f, 1.0f);
+}
+
+// How an entry joins the mask before it. All but add and subtract stay in 0..1 by themselves; those
+// are held to it, so that an entry above does not meet values that nobody sees.
+
+/// The entry alone.
+Real mask_replace(Real mask, Real entry) {
+    return entry;
+}
+
+/// Both: 1 is neutral.
+Real mask_multiply(Real mask, Real entry) {
+    return mask * entry;
+}
+
+/// The sum, at most 1: 0 is neutral.
+Real mask_add(Real mask, Real entry) {
+    return min(mask + entry, 1.0f);
+}
+
+/// The mask without the entry, at least 0: 0 is neutral.
+Real mask_subtract(Real mask, Real entry) {
+    return max(mask - entry, 0.0f);
+}
+
+/// Either: 0 is neutral.
+Real mask_lighten(Real mask, Real entry) {
+    return max(mask, entry);
+}
+
+/// The lower of the two: 1 is neutral.
+Real mask_darken(Real mask, Real entry) {
+    return min(mask, entry);
+}
+
+#endif

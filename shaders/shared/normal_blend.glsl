@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#ifndef SHARED_NORMAL_BLEND_GLSL
+#define SHARED_NORMAL_BLEND_GLSL
+
+// Tangent-space normals laid over each other. Normals are unit vectors, +Y up as in glTF, z > 0;
+// flat is (0, 0, 1). Opacity comes first: fade the source to flat (normal_faded), then blend.
+//
+// Colin Barre-Brisebois and Stephen Hill, "Blending in Detail", 2012,
+// https://blog.selfshadow.com/publications/blending-in-detail/.
+
+/// A vector at unit length; flat where it has none.
+Real3 unit_normal(Real3 v) {
+    Real length_squared = dot(v, v);
+    Real3 unit = v * inversesqrt(max(length_squared, 1e-20f));
+    return select(length_squared > 1e-20f, unit, Real3(0.0f, 0.0f, 1.0f));
+}
+
+/// The normal that a texel stores: 0..1 to -1..1 (glTF 2.0, 3.9.3), at unit length.
+Real3 normal_from_encoded(Real3 encoded) {
+    return unit_normal(encoded * 2.0f - 1.0f);
+}
+
+/// What a texel stores of a unit normal: -1..1 to 0..1.
+Real3 encoded_from_normal(Real3 normal) {
+    return normal * 0.5f + 0.5f;
+}
+
+/// Weight 1 keeps the normal, 0 gives flat, between them a lerp at unit length.
+Real3 normal_faded(Real3 normal, Real weight) {
+    return unit_normal(mix(Real3(0.0f, 0.0f, 1.0f), normal, weight));
+}
+
+/// The source covers the backdrop by the weight: a lerp at unit length.
+Real3 normal_over(Real3 backdrop, Real3 source, Real weight) {
+    return unit_normal(mix(backdrop, source, weight));
+}
+
+/// Reoriented normal mapping: the source turned by the rotation that takes flat to the backdrop.
+/// A flat source leaves the backdrop, a flat backdrop leaves the source; length is kept.
+Real3 normal_blend_rnm(Real3 backdrop, Real3 source) {
+    Real3 t = Real3(backdrop.x, backdrop.y, backdrop.z + 1.0f);
+    Real3 u = Real3(-source.x, -source.y, source.z);
+    return t * (dot(t, u) / t.z) - u;
+}
+
+/// UDN: the source only bends the backdrop, which keeps its z. Flat sources leave the backdrop.
+Real3 normal_blend_udn(Real3 backdrop, Real3 source) {
+    return unit_normal(Real3(backdrop.x + source.x, backdrop.y + source.y, backdrop.z));
+}
+
+/// Whiteout: slopes add and heights multiply. Commutative; flat is neutral.
+Real3 normal_blend_whiteout(Real3 backdrop, Real3 source) {
+    return unit_normal(
+        Real3(backdrop.x + source.x, backdrop.y + source.y, backdrop.z * source.z));
+}
+
+#endif
