@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "io/image_file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace patina::io {
+namespace {
+
+Image gradient(int channels, SampleType type) {
+    Image image;
+    image.width = 33;
+    image.height = 17;
+    image.channels = channels;
+    image.type = type;
+    image.data.resize(image.row_bytes() * 17);
+    const std::size_t count = image.data.size() / sample_bytes(type);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto number = static_cast<float>(i) * 0.75f - 20.0f;
+        const auto bits = static_cast<std::uint16_t>(i * 257);
+        const auto byte = static_cast<std::uint8_t>(i);
+        std::byte* at = image.data.data() + i * sample_bytes(type);
+        if (type == SampleType::F32)
+            std::memcpy(at, &number, sizeof number);
+        else if (type == SampleType::U16)
+            std::memcpy(at, &bits, sizeof bits);
+        else
+            std::memcpy(at, &byte, sizeof byte);
+    }
+    return image;
+}
+
+/// The stored numbers, as OpenImageIO reads them back.
+std::vector<std::byte> decoded(const Bytes& bytes, const char* name, const Image& like) {
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    // Straight alpha: colours are not to be multiplied on the way in.
+    OIIO::ImageSpec straight;
+    straight.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(name, &straight, &memory);
+    EXPECT_TRUE(input) << OIIO::geterror();
+    if (!input) return {};
+    EXPECT_EQ(input->spec().width, like.width);
+    EXPECT_EQ(input->spec().nchannels, like.channels);
+    std::vector<std::byte> pixels(like.data.size());
+    EXPECT_TRUE(input->read_image(0, 0, 0, like.channels, OIIO::TypeUnknown, pixels.data()));
+    return pixels;
+}
+
+TEST(ImageFile, TiffAndExrGiveBackTheNumbersThatWentIn) {
+    for (const int channels : {1, 3, 4}) {
+        for (const SampleType type : {SampleType::U8, SampleType::U16, SampleType::F32}) {
+            const Image image = gradient(channels, type);
+            const auto tiff = encode_image(image, ImageFormat::Tiff);
+            ASSERT_TRUE(tiff) << tiff.error().message;
+            const std::vector<std::byte> pixels = decoded(*tiff, "a.tif", image);
+            EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), image.data.begin()))
+                << channels << " channels of type " << static_cast<int>(type);
+        }
+        const Image floats = gradient(channels, SampleType::F32);
+        const auto exr = encode_image(floats, ImageFormat::Exr);
+        ASSERT_TRUE(exr) << exr.error().message;
+        const std::vector<std::byte> pixels = decoded(*exr, "a.exr", floats);
+        EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), floats.data.begin()));
+    }
+}
+
+TEST(ImageFile, SaysNothingOfTheTimeAtWhichItWasWritten) {
+    const Image image = gradient(4, SampleType::F32);
+    for (const ImageFormat format : {ImageFormat::Tiff, ImageFormat::Exr}) {
+        const Bytes bytes = encode_image(image, format).value();
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        EXPECT_NE(text.find("1970"), std::string_view::npos);
+        EXPECT_EQ(text.find("OpenImageIO"), std::string_view::npos);
+    }
+}
+
+TEST(ImageFile, TheExtensionNamesTheFormat) {
+    EXPECT_EQ(image_format_of("a.PNG"), ImageFormat::Png);
+    EXPECT_EQ(image_format_of("a.tiff"), ImageFormat::Tiff);
+    EXPECT_EQ(image_format_of("b.c.exr"), ImageFormat::Exr);
+    EXPECT_FALSE(image_format_of("a.jpg"));
+    EXPECT_FALSE(image_format_of("png"));
+    const auto status = write_image_file("a.jpg", gradient(3, SampleType::U8));
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().message,
+              "a.jpg: the extension names no image format; use .png, .tif or .exr");
+}
+
+}  // namespace
+}  // namespace patina::io
