@@ -39,7 +39,9 @@ std::vector<std::byte> decoded(const Bytes& bytes, const char* name, const Image
     // Straight alpha: colours are not to be multiplied on the way in.
     OIIO::ImageSpec straight;
     straight.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(name, &straight, &memory);
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    straight.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const auto input = OIIO::ImageInput::open(name, &straight);
     EXPECT_TRUE(input) << OIIO::geterror();
     if (!input) return {};
     EXPECT_EQ(input->spec().width, like.width);
