@@ -47,7 +47,7 @@ struct MaskEntry {
     MaskEntryId id;
     std::string name;
     bool visible = true;
-    Source source = ConstantSource{glm::vec3(1.0f)};
+    Source source = ConstantSource{glm::vec3(1.0f, 0.0f, 0.0f)};
     MaskCombine combine = MaskCombine::Multiply;
     float opacity = 1.0f;  ///< 0 to 1: lerp between the mask without and with this entry
     bool invert = false;

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "document/check.h"
+
+#include <cmath>
+
+#include "document/layer_edits.h"
+#include "document/mask_edits.h"
+
+namespace patina {
+namespace {
+
+/// The first failure among statuses that have all been worked out.
+Status first_failure(std::initializer_list<Status> statuses) {
+    for (const Status& status : statuses)
+        if (!status) return status;
+    return {};
+}
+
+Status check_uv_set(int uv_set) {
+    return check_range(Parameter::ImageUvSet, uv_set);
+}
+
+Status check_part(SourceUse use, const ConstantSource& source) {
+    return check_value(use, source.value);
+}
+
+Status check_part(SourceUse, const ImageSource& source) {
+    return first_failure({check_uv_set(source.uv_set), check_transform(source.transform),
+                          check_color(Parameter::ImageMultiply, source.multiply),
+                          check_color(Parameter::ImageAdd, source.add)});
+}
+
+Status check_part(SourceUse use, const ProceduralSource& source) {
+    return first_failure({check_range(Parameter::ProceduralScale, source.scale),
+                          check_range(Parameter::ProceduralOctaves, source.octaves),
+                          check_range(Parameter::ProceduralContrast, source.contrast),
+                          check_range(Parameter::ProceduralBalance, source.balance),
+                          check_transform(source.transform), check_ramp(use, source.ramp)});
+}
+
+Status check_entry(const MaskEntry& entry) {
+    return first_failure({check_name(entry.name),
+                          check_range(Parameter::MaskEntryOpacity, entry.opacity),
+                          check_levels(entry.levels), check_source(std::nullopt, entry.source)});
+}
+
+Status check_channels(const PerChannel<ChannelSettings>& channels) {
+    for (const ChannelInfo& row : kChannels) {
+        const ChannelSettings& settings = at(channels, row.channel);
+        if (settings.mode && !applies_to(*settings.mode, row.channel))
+            return failure("blend mode {} does not apply to the {} channel",
+                           info(*settings.mode).id, row.id);
+        const Status status =
+            first_failure({check_range(Parameter::ChannelOpacity, settings.opacity),
+                           check_source(row.channel, settings.source)});
+        if (!status) return failure("{} channel: {}", row.id, status.error().message);
+    }
+    return {};
+}
+
+Status check_own_values(const Layer& layer) {
+    if (!applies_to(layer.mode, Channel::BaseColor))
+        return failure("blend mode {} does not apply to colours", info(layer.mode).id);
+    return first_failure({check_range(Parameter::LayerOpacity, layer.opacity),
+                          check_mask(layer.mask), check_channels(layer.channels)});
+}
+
+}  // namespace
+
+Status check_name(std::string_view name) {
+    if (name.empty()) return failure("a name cannot be empty");
+    if (name.size() > kMaxNameBytes)
+        return failure("a name can have at most {} bytes, got {}", kMaxNameBytes, name.size());
+    if (quoted_for_message(name, name.size()) != name)
+        return failure("a name cannot have control characters or broken UTF-8: \"{}\"",
+                       quoted_for_message(name, 80));
+    return {};
+}
+
+Status check_color(Parameter parameter, const glm::vec3& value) {
+    return first_failure({check_range(parameter, value.x), check_range(parameter, value.y),
+                          check_range(parameter, value.z)});
+}
+
+Status check_value(SourceUse use, const glm::vec3& value) {
+    const Parameter parameter = value_parameter(use);
+    const ParameterKind kind = info(parameter).kind;
+    if (kind == ParameterKind::Number) return check_range(parameter, value.x);
+    if (Status status = check_color(parameter, value); !status) return status;
+    if (parameter == Parameter::NormalValue && glm::length(value) < 1e-6f)
+        return failure("a normal cannot have length 0");
+    return {};
+}
+
+glm::vec3 canonical_value(SourceUse use, const glm::vec3& value) {
+    const Parameter parameter = value_parameter(use);
+    if (info(parameter).kind == ParameterKind::Number) return {value.x, 0.0f, 0.0f};
+    if (parameter != Parameter::NormalValue) return value;
+    const float length = glm::length(value);
+    // Left as it is when it is a unit vector already, so that doing this twice changes nothing.
+    return std::abs(length - 1.0f) < 1e-5f ? value : value / length;
+}
+
+Status check_ramp(SourceUse use, const std::vector<RampStop>& stops) {
+    if (stops.empty() || stops.size() > std::size_t{kMaxRampStops})
+        return failure("a ramp has 1 to {} stops, got {}", kMaxRampStops, stops.size());
+    float previous = 0.0f;
+    for (const RampStop& stop : stops) {
+        if (Status status = check_range(Parameter::RampPosition, stop.position); !status)
+            return status;
+        if (stop.position < previous)
+            return failure("the stops of a ramp must ascend: {} comes after {}", stop.position,
+                           previous);
+        if (Status status = check_value(use, stop.value); !status) return status;
+        previous = stop.position;
+    }
+    return {};
+}
+
+Status check_transform(const UvTransform& transform) {
+    if (transform.scale.x == 0.0f || transform.scale.y == 0.0f) return failure("Scale cannot be 0");
+    return first_failure({check_range(Parameter::UvOffset, transform.offset.x),
+                          check_range(Parameter::UvOffset, transform.offset.y),
+                          check_range(Parameter::UvScale, transform.scale.x),
+                          check_range(Parameter::UvScale, transform.scale.y),
+                          check_range(Parameter::UvRotation, transform.rotation_degrees)});
+}
+
+Status check_source(SourceUse use, const Source& source) {
+    return std::visit([&](const auto& part) { return check_part(use, part); }, source);
+}
+
+Status check_levels(const Levels& levels) {
+    const Status ranges = first_failure({check_range(Parameter::LevelsInLow, levels.in_low),
+                                         check_range(Parameter::LevelsInHigh, levels.in_high),
+                                         check_range(Parameter::LevelsGamma, levels.gamma),
+                                         check_range(Parameter::LevelsOutLow, levels.out_low),
+                                         check_range(Parameter::LevelsOutHigh, levels.out_high)});
+    if (!ranges) return ranges;
+    if (levels.in_low < levels.in_high) return {};
+    return failure("levels need black below white, got {} and {}", levels.in_low, levels.in_high);
+}
+
+Status check_mask(const Mask& mask) {
+    if (mask.entries.size() > std::size_t{kMaxMaskEntries})
+        return failure("a mask has at most {} entries, got {}", kMaxMaskEntries,
+                       mask.entries.size());
+    if (Status status = check_range(Parameter::MaskBase, mask.base); !status) return status;
+    for (const MaskEntry& entry : mask.entries)
+        if (Status status = check_entry(entry); !status)
+            return failure("mask entry {}: {}", quoted_for_message(entry.name, 80),
+                           status.error().message);
+    return {};
+}
+
+Status check_layer(const Layer& layer) {
+    if (Status status = check_name(layer.name); !status) return status;
+    if (Status status = check_own_values(layer); !status)
+        return failure("layer {}: {}", quoted_for_message(layer.name, 80), status.error().message);
+    if (const auto* group = std::get_if<GroupContent>(&layer.content))
+        for (const LayerPtr& child : group->children)
+            if (Status status = check_layer(*child); !status) return status;
+    return {};
+}
+
+Status check_light(const Light& light) {
+    const Status ranges =
+        first_failure({check_color(Parameter::LightColor, light.color_linear),
+                       check_range(Parameter::LightIntensity, light.intensity),
+                       check_color(Parameter::LightPosition, light.position_world),
+                       check_color(Parameter::LightDirection, light.direction_world),
+                       check_range(Parameter::LightRange, light.range),
+                       check_range(Parameter::LightInnerCone, light.inner_cone_radians),
+                       check_range(Parameter::LightOuterCone, light.outer_cone_radians)});
+    if (!ranges) return ranges;
+    if (glm::length(light.direction_world) < 1e-6f)
+        return failure("the direction of a light cannot have length 0");
+    if (light.kind == Light::Kind::Spot && light.inner_cone_radians >= light.outer_cone_radians)
+        return failure("the inner cone of a light must be narrower than the outer one");
+    return {};
+}
+
+}  // namespace patina
