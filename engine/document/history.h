@@ -48,7 +48,7 @@ class History {
     /// Whether the current snapshot is another than the one opened or last marked as saved.
     bool is_edited() const;
 
-    /// Memory of the steps other than the current one, by added_bytes.
+    /// Memory that the remembered steps add to the oldest of them, by added_bytes.
     std::size_t bytes() const;
 
   private:
