@@ -45,7 +45,7 @@ Edit replace_stack_by_preset(const Material& material, const Preset& preset,
                              std::vector<ImageAssetPtr> images = {});
 
 /// The layers as text for the clipboard: JSON in the form of the record (document/record.h).
-std::string copied_layers(const Document& document, const std::vector<LayerPtr>& layers);
+std::string copied_layers(const std::vector<LayerPtr>& layers);
 /// Adds the layers that `copied_layers` made text of, with fresh ids. Refuses other text, and
 /// images that this document has not.
 Edit paste_layers(const Material& material, std::string_view text, LayerPlace place);

@@ -8,7 +8,8 @@ namespace {
 
 using enum ParameterKind;
 constexpr double kDegreesPerRadian = 57.295779513082323;
-constexpr double kHalfTurn = 1.5707963267948966;  // a spot light's cone is at most a half space
+// A cone is at most a half space; pi/2 as a float lies a little above pi/2.
+constexpr double kQuarterTurn = 1.5707964;
 
 // The formatter would spread each row over a dozen lines.
 // clang-format off
@@ -162,9 +163,9 @@ constexpr std::array kParameters = {
         .tooltip = "The way the light travels; its length does not matter."},
     ParameterInfo{.parameter = Parameter::LightRange, .subject = Subject::Light, .id = "range", .label = "Range", .kind = Number, .maximum = 1e9, .step = 0.1, .unit = "m",
         .tooltip = "How far the light reaches, in metres; 0 is without end."},
-    ParameterInfo{.parameter = Parameter::LightInnerCone, .subject = Subject::Light, .id = "inner-cone", .label = "Inner cone", .kind = Number, .maximum = kHalfTurn, .step = 0.0174533, .display_scale = kDegreesPerRadian, .decimals = 1, .unit = "°",
+    ParameterInfo{.parameter = Parameter::LightInnerCone, .subject = Subject::Light, .id = "inner-cone", .label = "Inner cone", .kind = Number, .maximum = kQuarterTurn, .step = 0.0174533, .display_scale = kDegreesPerRadian, .decimals = 1, .unit = "°",
         .tooltip = "Full brightness within this angle from the axis. 0 to 90°."},
-    ParameterInfo{.parameter = Parameter::LightOuterCone, .subject = Subject::Light, .id = "outer-cone", .label = "Outer cone", .kind = Number, .maximum = kHalfTurn, .standard = 0.785398, .step = 0.0174533, .display_scale = kDegreesPerRadian, .decimals = 1, .unit = "°",
+    ParameterInfo{.parameter = Parameter::LightOuterCone, .subject = Subject::Light, .id = "outer-cone", .label = "Outer cone", .kind = Number, .maximum = kQuarterTurn, .standard = 0.785398, .step = 0.0174533, .display_scale = kDegreesPerRadian, .decimals = 1, .unit = "°",
         .tooltip = "No light beyond this angle from the axis. 0 to 90°."},
 };
 // clang-format on

@@ -52,9 +52,9 @@ struct MaterialRecord {
     /// hash_bytes of the encoded images that Patina put into the file for this material (baked maps
     /// and images of layers): the next save may replace these, and nothing else.
     std::vector<Hash128> owned_images;
-    /// Not 0: this glTF material is no material of the document but the plain copy of that one, made
-    /// by a save for primitives without the UV set. The loader gives those primitives the material
-    /// itself; `stack` and all the rest are empty.
+    /// Not 0: this glTF material is no material of the document but the plain copy of that one,
+    /// made by a save for primitives without the UV set. The loader gives those primitives the
+    /// material itself; `stack` and all the rest are empty.
     MaterialId stands_for;
 };
 /// The record of a material as it is now, with nothing baked yet.

@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: MIT
+#include "document/layer_json.h"
+
+#include <algorithm>
+
+#include "document/check.h"
+#include "document/mask_edits.h"
+
+namespace patina {
+namespace {
+
+/// Ids are whole numbers that every JSON reader keeps exactly.
+constexpr std::int64_t kLargestId = std::int64_t{1} << 53;
+
+bool is_number(SourceUse use) {
+    return info(value_parameter(use)).kind == ParameterKind::Number;
+}
+bool is_color(SourceUse use) {
+    return info(value_parameter(use)).kind == ParameterKind::Color;
+}
+
+// ---- Writing -----------------------------------------------------------------------------------
+
+Json value_to_json(SourceUse use, const glm::vec3& value) {
+    if (is_number(use) && value.y == 0.0f && value.z == 0.0f) return json_of(value.x);
+    if (is_color(use)) return json_of(value);
+    return Json::array({json_of(value.x), json_of(value.y), json_of(value.z)});
+}
+
+template <typename Value>
+void add_unless(Json& json, std::string_view key, const Value& value, const Value& standard) {
+    if (value != standard) json[std::string(key)] = value;
+}
+void add_unless(Json& json, std::string_view key, float value, float standard) {
+    if (value != standard) json[std::string(key)] = json_of(value);
+}
+void add_unless(Json& json, std::string_view key, const glm::vec2& value,
+                const glm::vec2& standard) {
+    if (value != standard) json[std::string(key)] = json_of(value);
+}
+void add_unless(Json& json, std::string_view key, const glm::vec3& value,
+                const glm::vec3& standard) {
+    if (value != standard) json[std::string(key)] = json_of(value);
+}
+template <typename Enumeration>
+void add_choice_unless(Json& json, std::string_view key, Enumeration value, Enumeration standard) {
+    if (value != standard) json[std::string(key)] = choice(value).id;
+}
+
+void add_transform(Json& json, const UvTransform& transform) {
+    const UvTransform standard;
+    if (transform == standard) return;
+    Json part = Json::object();
+    add_unless(part, "offset", transform.offset, standard.offset);
+    add_unless(part, "scale", transform.scale, standard.scale);
+    add_unless(part, "rotation", transform.rotation_degrees, standard.rotation_degrees);
+    json["transform"] = std::move(part);
+}
+
+Json part_to_json(SourceUse use, const ConstantSource& source) {
+    return value_to_json(use, source.value);
+}
+
+Json part_to_json(SourceUse, const ImageSource& source) {
+    const ImageSource standard;
+    Json json = {{"kind", "image"}, {"image", to_hex(source.image)}};
+    add_choice_unless(json, "color-space", source.color_space, standard.color_space);
+    add_choice_unless(json, "pick", source.pick, standard.pick);
+    add_unless(json, "invert", source.invert, standard.invert);
+    add_unless(json, "directx-normal", source.directx_normal, standard.directx_normal);
+    add_unless(json, "alpha-is-coverage", source.alpha_is_coverage, standard.alpha_is_coverage);
+    add_unless(json, "uv-set", source.uv_set, standard.uv_set);
+    add_transform(json, source.transform);
+    add_choice_unless(json, "wrap-u", source.wrap_u, standard.wrap_u);
+    add_choice_unless(json, "wrap-v", source.wrap_v, standard.wrap_v);
+    add_choice_unless(json, "filter", source.filter, standard.filter);
+    add_unless(json, "multiply", source.multiply, standard.multiply);
+    add_unless(json, "add", source.add, standard.add);
+    return json;
+}
+
+Json part_to_json(SourceUse use, const ProceduralSource& source) {
+    const ProceduralSource standard;
+    Json json = {{"kind", choice(source.kind).id}};
+    add_unless(json, "seed", source.seed, standard.seed);
+    add_unless(json, "scale", source.scale, standard.scale);
+    add_unless(json, "octaves", source.octaves, standard.octaves);
+    add_unless(json, "contrast", source.contrast, standard.contrast);
+    add_unless(json, "balance", source.balance, standard.balance);
+    add_transform(json, source.transform);
+    if (source.ramp == standard.ramp) return json;
+    Json ramp = Json::array();
+    for (const RampStop& stop : source.ramp)
+        ramp.push_back(
+            {{"position", json_of(stop.position)}, {"value", value_to_json(use, stop.value)}});
+    json["ramp"] = std::move(ramp);
+    return json;
+}
+
+Json source_to_json(SourceUse use, const Source& source) {
+    return std::visit([&](const auto& part) { return part_to_json(use, part); }, source);
+}
+
+Json levels_to_json(const Levels& levels) {
+    const Levels standard;
+    Json json = Json::object();
+    add_unless(json, "in-low", levels.in_low, standard.in_low);
+    add_unless(json, "in-high", levels.in_high, standard.in_high);
+    add_unless(json, "gamma", levels.gamma, standard.gamma);
+    add_unless(json, "out-low", levels.out_low, standard.out_low);
+    add_unless(json, "out-high", levels.out_high, standard.out_high);
+    return json;
+}
+
+Json entry_to_json(const MaskEntry& entry, JsonIds ids) {
+    const MaskEntry standard;
+    Json json = Json::object();
+    if (ids == JsonIds::Kept) json["id"] = entry.id.value;
+    json["name"] = entry.name;
+    add_unless(json, "visible", entry.visible, standard.visible);
+    add_choice_unless(json, "combine", entry.combine, standard.combine);
+    add_unless(json, "opacity", entry.opacity, standard.opacity);
+    add_unless(json, "invert", entry.invert, standard.invert);
+    json["source"] = source_to_json(std::nullopt, entry.source);
+    if (entry.levels != standard.levels) json["levels"] = levels_to_json(entry.levels);
+    return json;
+}
+
+Json mask_to_json(const Mask& mask, JsonIds ids) {
+    const Mask standard;
+    Json json = Json::object();
+    add_unless(json, "enabled", mask.enabled, standard.enabled);
+    add_unless(json, "invert", mask.invert, standard.invert);
+    add_unless(json, "base", mask.base, standard.base);
+    if (mask.entries.empty()) return json;
+    Json entries = Json::array();
+    for (const MaskEntry& entry : mask.entries) entries.push_back(entry_to_json(entry, ids));
+    json["entries"] = std::move(entries);
+    return json;
+}
+
+Json channels_to_json(const PerChannel<ChannelSettings>& channels, bool of_group) {
+    const PerChannel<ChannelSettings> standards = default_channels();
+    Json json = Json::object();
+    for (const ChannelInfo& row : kChannels) {
+        const ChannelSettings& settings = at(channels, row.channel);
+        ChannelSettings standard = at(standards, row.channel);
+        standard.enabled = of_group;
+        if (settings == standard) continue;
+        Json part = Json::object();
+        if (!settings.enabled) part["enabled"] = false;
+        const bool has_source = settings.source != standard.source;
+        // A fill's channel that is on says its value, be it the standard one, for whoever reads it.
+        if (has_source || (settings.enabled && !of_group))
+            part["source"] = source_to_json(row.channel, settings.source);
+        if (settings.mode) part["mode"] = info(*settings.mode).id;
+        add_unless(part, "opacity", settings.opacity, standard.opacity);
+        json[std::string(row.id)] = std::move(part);
+    }
+    return json;
+}
+
+Json layer_to_json(const Layer& layer, JsonIds ids) {
+    const Layer standard;
+    Json json = Json::object();
+    if (ids == JsonIds::Kept) json["id"] = layer.id.value;
+    json["name"] = layer.name;
+    json["kind"] = layer.is_group() ? "group" : "fill";
+    add_unless(json, "visible", layer.visible, standard.visible);
+    add_unless(json, "locked", layer.locked, standard.locked);
+    add_unless(json, "opacity", layer.opacity, standard.opacity);
+    if (layer.mode != standard.mode) json["mode"] = info(layer.mode).id;
+    add_choice_unless(json, "blend-space", layer.blend_space, standard.blend_space);
+    if (Json channels = channels_to_json(layer.channels, layer.is_group()); !channels.empty())
+        json["channels"] = std::move(channels);
+    if (Json mask = mask_to_json(layer.mask, ids); !mask.empty()) json["mask"] = std::move(mask);
+    if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
+        add_unless(json, "open", group->open, GroupContent{}.open);
+        json["layers"] = layers_to_json(group->children, ids);
+    }
+    return json;
+}
+
+// ---- Reading -----------------------------------------------------------------------------------
+
+void note(const Status& status, const std::string& pointer, JsonFaults& faults) {
+    if (!status) faults.add(pointer, "is not valid: " + status.error().message);
+}
+
+std::optional<BlendMode> read_mode(JsonObject& object) {
+    const Json* value = object.find("mode");
+    if (!value) return std::nullopt;
+    const auto mode = value->is_string() ? blend_mode_from_id(value->get_ref<const std::string&>())
+                                         : std::nullopt;
+    if (!mode) object.fault("mode", "is not a blend mode");
+    return mode;
+}
+
+glm::vec3 read_value(SourceUse use, const Json& json, const std::string& pointer,
+                     JsonFaults& faults) {
+    const Parameter parameter = value_parameter(use);
+    if (json.is_number() && is_number(use))
+        return {json_number(json, parameter, pointer, faults), 0.0f, 0.0f};
+    if (json.is_number() && is_color(use))
+        return glm::vec3(json_number(json, parameter, pointer, faults));
+    if (!json.is_array() || json.size() != 3) {
+        faults.add(pointer, is_number(use) ? "is not a number" : "is not an array of 3 numbers");
+        return glm::vec3(0.0f);
+    }
+    glm::vec3 value;
+    for (int i = 0; i < 3; ++i)
+        value[i] = json_number(json[static_cast<std::size_t>(i)], parameter, pointer, faults);
+    note(check_value(use, value), pointer, faults);
+    return value;
+}
+
+UvTransform read_transform(JsonObject& parent) {
+    UvTransform transform;
+    const Json* json = parent.find("transform");
+    if (!json) return transform;
+    JsonObject object(*json, parent.pointer_to("transform"), parent.faults());
+    transform.offset = object.vector2("offset", Parameter::UvOffset, transform.offset);
+    transform.scale = object.vector2("scale", Parameter::UvScale, transform.scale);
+    transform.rotation_degrees =
+        object.number("rotation", Parameter::UvRotation, transform.rotation_degrees);
+    object.finish();
+    note(check_transform(transform), object.pointer(), object.faults());
+    return transform;
+}
+
+ImageSource read_image(JsonObject& object) {
+    ImageSource source;
+    source.image = object.required_hash("image");
+    source.color_space = object.choice("color-space", source.color_space);
+    source.pick = object.choice("pick", source.pick);
+    source.invert = object.boolean("invert", source.invert);
+    source.directx_normal = object.boolean("directx-normal", source.directx_normal);
+    source.alpha_is_coverage = object.boolean("alpha-is-coverage", source.alpha_is_coverage);
+    source.uv_set = static_cast<int>(object.integer("uv-set", 0, 1, source.uv_set));
+    source.transform = read_transform(object);
+    source.wrap_u = object.choice("wrap-u", source.wrap_u);
+    source.wrap_v = object.choice("wrap-v", source.wrap_v);
+    source.filter = object.choice("filter", source.filter);
+    source.multiply = object.vector3("multiply", Parameter::ImageMultiply, source.multiply);
+    source.add = object.vector3("add", Parameter::ImageAdd, source.add);
+    return source;
+}
+
+std::vector<RampStop> read_ramp(SourceUse use, JsonObject& parent) {
+    const Json* json = parent.find("ramp");
+    if (!json) return ProceduralSource{}.ramp;
+    std::vector<RampStop> stops;
+    const std::string pointer = parent.pointer_to("ramp");
+    if (!json->is_array() || json->empty() || json->size() > std::size_t{kMaxRampStops}) {
+        parent.fault("ramp", fmt::format("is not a list of 1 to {} stops", kMaxRampStops));
+        return stops;
+    }
+    for (std::size_t i = 0; i < json->size(); ++i) {
+        JsonObject object((*json)[i], fmt::format("{}/{}", pointer, i), parent.faults());
+        RampStop stop;
+        object.require("position");
+        stop.position = object.number("position", Parameter::RampPosition, 0.0f);
+        if (const Json* value = object.require("value"))
+            stop.value = read_value(use, *value, object.pointer_to("value"), object.faults());
+        object.finish();
+        stops.push_back(stop);
+    }
+    note(check_ramp(use, stops), pointer, parent.faults());
+    return stops;
+}
+
+ProceduralSource read_procedural(SourceUse use, ProceduralKind kind, JsonObject& object) {
+    ProceduralSource source;
+    source.kind = kind;
+    source.seed = static_cast<std::uint32_t>(object.integer("seed", 0, UINT32_MAX, source.seed));
+    source.scale = object.number("scale", Parameter::ProceduralScale, source.scale);
+    const ParameterInfo& octaves = info(Parameter::ProceduralOctaves);
+    source.octaves = static_cast<int>(
+        object.integer("octaves", static_cast<std::int64_t>(octaves.minimum),
+                       static_cast<std::int64_t>(octaves.maximum), source.octaves));
+    source.contrast = object.number("contrast", Parameter::ProceduralContrast, source.contrast);
+    source.balance = object.number("balance", Parameter::ProceduralBalance, source.balance);
+    source.transform = read_transform(object);
+    source.ramp = read_ramp(use, object);
+    return source;
+}
+
+Source read_source(SourceUse use, const Json& json, const std::string& pointer,
+                   JsonFaults& faults) {
+    if (!json.is_object()) return ConstantSource{read_value(use, json, pointer, faults)};
+    JsonObject object(json, pointer, faults);
+    const std::string kind = object.required_text("kind");
+    Source source;
+    if (kind == "image")
+        source = read_image(object);
+    else if (const auto noise = choice_from_id<ProceduralKind>(kind))
+        source = read_procedural(use, *noise, object);
+    else
+        object.fault("kind", "is no kind of source");
+    object.finish();
+    return source;
+}
+
+std::string read_name(JsonObject& object) {
+    std::string name = object.required_text("name");
+    note(check_name(name), object.pointer_to("name"), object.faults());
+    return name;
+}
+
+Levels read_levels(JsonObject& parent) {
+    Levels levels;
+    const Json* json = parent.find("levels");
+    if (!json) return levels;
+    JsonObject object(*json, parent.pointer_to("levels"), parent.faults());
+    levels.in_low = object.number("in-low", Parameter::LevelsInLow, levels.in_low);
+    levels.in_high = object.number("in-high", Parameter::LevelsInHigh, levels.in_high);
+    levels.gamma = object.number("gamma", Parameter::LevelsGamma, levels.gamma);
+    levels.out_low = object.number("out-low", Parameter::LevelsOutLow, levels.out_low);
+    levels.out_high = object.number("out-high", Parameter::LevelsOutHigh, levels.out_high);
+    object.finish();
+    note(check_levels(levels), object.pointer(), object.faults());
+    return levels;
+}
+
+MaskEntry read_entry(const Json& json, const std::string& pointer, JsonFaults& faults) {
+    JsonObject object(json, pointer, faults);
+    MaskEntry entry;
+    entry.id.value = static_cast<std::uint64_t>(object.integer("id", 1, kLargestId, 0));
+    entry.name = read_name(object);
+    entry.visible = object.boolean("visible", entry.visible);
+    entry.combine = object.choice("combine", entry.combine);
+    entry.opacity = object.number("opacity", Parameter::MaskEntryOpacity, entry.opacity);
+    entry.invert = object.boolean("invert", entry.invert);
+    if (const Json* source = object.require("source"))
+        entry.source = read_source(std::nullopt, *source, object.pointer_to("source"), faults);
+    entry.levels = read_levels(object);
+    object.finish();
+    return entry;
+}
+
+Mask read_mask(JsonObject& parent) {
+    Mask mask;
+    const Json* json = parent.find("mask");
+    if (!json) return mask;
+    JsonObject object(*json, parent.pointer_to("mask"), parent.faults());
+    mask.enabled = object.boolean("enabled", mask.enabled);
+    mask.invert = object.boolean("invert", mask.invert);
+    mask.base = object.number("base", Parameter::MaskBase, mask.base);
+    if (const Json* entries = object.find("entries")) {
+        if (!entries->is_array() || entries->size() > std::size_t{kMaxMaskEntries})
+            object.fault("entries",
+                         fmt::format("is not a list of at most {} entries", kMaxMaskEntries));
+        else
+            for (std::size_t i = 0; i < entries->size(); ++i)
+                mask.entries.push_back(read_entry((*entries)[i],
+                                                  fmt::format("{}/entries/{}", object.pointer(), i),
+                                                  object.faults()));
+    }
+    object.finish();
+    return mask;
+}
+
+void read_channel(const ChannelInfo& row, const Json& json, const std::string& pointer,
+                  ChannelSettings& settings, JsonFaults& faults) {
+    JsonObject object(json, pointer, faults);
+    settings.enabled = object.boolean("enabled", true);
+    if (const Json* source = object.find("source"))
+        settings.source = read_source(row.channel, *source, object.pointer_to("source"), faults);
+    settings.mode = read_mode(object);
+    if (settings.mode && !applies_to(*settings.mode, row.channel))
+        object.fault("mode", fmt::format("does not apply to the {} channel", row.id));
+    settings.opacity = object.number("opacity", Parameter::ChannelOpacity, settings.opacity);
+    object.finish();
+}
+
+PerChannel<ChannelSettings> read_channels(JsonObject& parent, bool of_group) {
+    PerChannel<ChannelSettings> channels = default_channels();
+    for (ChannelSettings& settings : channels) settings.enabled = of_group;
+    const Json* json = parent.find("channels");
+    if (!json) return channels;
+    JsonObject object(*json, parent.pointer_to("channels"), parent.faults());
+    for (const ChannelInfo& row : kChannels)
+        if (const Json* part = object.find(row.id))
+            read_channel(row, *part, object.pointer_to(row.id), at(channels, row.channel),
+                         object.faults());
+    object.finish();
+    return channels;
+}
+
+/// Reads layers and keeps count of them over all groups.
+class LayerReader {
+  public:
+    explicit LayerReader(JsonFaults& faults) : faults_(faults) {}
+
+    LayerList read_list(const Json& json, const std::string& pointer, int depth) {
+        LayerList layers;
+        if (!json.is_array()) {
+            faults_.add(pointer, "is not a list of layers");
+            return layers;
+        }
+        if (depth > kMaxLayerDepth && !json.empty()) {
+            faults_.add(pointer, fmt::format("nests groups deeper than {}", kMaxLayerDepth));
+            return layers;
+        }
+        for (std::size_t i = 0; i < json.size() && !faults_.any(); ++i) {
+            if (++count_ > kMaxLayers) {
+                faults_.add(pointer, fmt::format("makes more than {} layers", kMaxLayers));
+                break;
+            }
+            layers.push_back(std::make_shared<const Layer>(
+                read_layer(json[i], fmt::format("{}/{}", pointer, i), depth)));
+        }
+        return layers;
+    }
+
+  private:
+    Layer read_layer(const Json& json, const std::string& pointer, int depth) {
+        JsonObject object(json, pointer, faults_);
+        Layer layer;
+        layer.id.value = static_cast<std::uint64_t>(object.integer("id", 1, kLargestId, 0));
+        layer.name = read_name(object);
+        const std::string kind = object.text("kind", "fill");
+        if (kind != "fill" && kind != "group") object.fault("kind", "is neither fill nor group");
+        layer.visible = object.boolean("visible", layer.visible);
+        layer.locked = object.boolean("locked", layer.locked);
+        layer.opacity = object.number("opacity", Parameter::LayerOpacity, layer.opacity);
+        layer.mode = read_mode(object).value_or(layer.mode);
+        if (!applies_to(layer.mode, Channel::BaseColor))
+            object.fault("mode", "does not apply to colours");
+        layer.blend_space = object.choice("blend-space", layer.blend_space);
+        layer.channels = read_channels(object, kind == "group");
+        layer.mask = read_mask(object);
+        if (kind == "group") layer.content = read_group(object, depth);
+        object.finish();
+        return layer;
+    }
+
+    GroupContent read_group(JsonObject& object, int depth) {
+        GroupContent group;
+        group.open = object.boolean("open", group.open);
+        if (const Json* children = object.require("layers"))
+            group.children = read_list(*children, object.pointer_to("layers"), depth + 1);
+        return group;
+    }
+
+    JsonFaults& faults_;
+    int count_ = 0;
+};
+
+std::uint64_t issue_if_needed(std::uint64_t id, IssuedIds& issued) {
+    if (id != 0 && issued.taken.insert(id).second) return id;
+    while (!issued.taken.insert(issued.next).second) ++issued.next;
+    return issued.next++;
+}
+
+}  // namespace
+
+Json layers_to_json(const LayerList& layers, JsonIds ids) {
+    Json json = Json::array();
+    for (const LayerPtr& layer : layers) json.push_back(layer_to_json(*layer, ids));
+    return json;
+}
+
+LayerList layers_from_json(const Json& array, const std::string& pointer, JsonFaults& faults) {
+    LayerList layers = LayerReader(faults).read_list(array, pointer, 1);
+    if (faults.any()) return {};
+    return layers;
+}
+
+std::uint64_t largest_id(const LayerList& layers) {
+    std::uint64_t largest = 0;
+    for (const LayerPtr& layer : layers) {
+        largest = std::max(largest, layer->id.value);
+        for (const MaskEntry& entry : layer->mask.entries)
+            largest = std::max(largest, entry.id.value);
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            largest = std::max(largest, largest_id(group->children));
+    }
+    return largest;
+}
+
+LayerList with_unique_ids(const LayerList& layers, IssuedIds& issued) {
+    LayerList result;
+    for (const LayerPtr& layer : layers) {
+        Layer copy = *layer;
+        copy.id.value = issue_if_needed(copy.id.value, issued);
+        for (MaskEntry& entry : copy.mask.entries)
+            entry.id.value = issue_if_needed(entry.id.value, issued);
+        if (auto* group = std::get_if<GroupContent>(&copy.content))
+            group->children = with_unique_ids(group->children, issued);
+        result.push_back(copy == *layer ? layer : std::make_shared<const Layer>(std::move(copy)));
+    }
+    return result;
+}
+
+}  // namespace patina

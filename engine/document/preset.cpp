@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "document/preset.h"
+
+#include <algorithm>
+
+#include "document/layer_json.h"
+
+namespace patina {
+namespace {
+
+/// The version of the format, not of any preset.
+constexpr int kPresetFormat = 1;
+constexpr std::size_t kLongestText = 2000;
+constexpr std::size_t kMaxPresetImages = 64;
+
+bool is_plain(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+}
+
+bool is_preset_id(std::string_view id) {
+    return !id.empty() && id.size() <= 64 && id.front() != '-' && id.back() != '-' &&
+           std::all_of(id.begin(), id.end(), is_plain);
+}
+
+/// A name in the preset's own folder: files are untrusted and may name nothing beyond it.
+bool is_plain_file_name(std::string_view name) {
+    const auto allowed = [](char c) {
+        return is_plain(c) || (c >= 'A' && c <= 'Z') || c == '.' || c == '_';
+    };
+    return !name.empty() && name.size() <= 100 && name.front() != '.' &&
+           std::all_of(name.begin(), name.end(), allowed);
+}
+
+void check_text(const std::string& text, std::string_view key, JsonObject& object) {
+    if (text.empty() || text.size() > kLongestText)
+        object.fault(key, fmt::format("is not a text of 1 to {} bytes", kLongestText));
+    if (quoted_for_message(text, text.size()) != text) object.fault(key, "has control characters");
+}
+
+std::string read_text(std::string_view key, JsonObject& object) {
+    std::string text = object.required_text(key);
+    check_text(text, key, object);
+    return text;
+}
+
+PresetImage read_image(const Json& json, const std::string& pointer, JsonFaults& faults) {
+    JsonObject object(json, pointer, faults);
+    PresetImage image;
+    image.file = object.required_text("file");
+    if (!is_plain_file_name(image.file))
+        object.fault("file", "is not a plain file name of letters, digits, '.', '_' and '-'");
+    image.hash = object.required_hash("hash");
+    object.finish();
+    return image;
+}
+
+std::vector<PresetImage> read_images(JsonObject& object) {
+    std::vector<PresetImage> images;
+    const Json* json = object.find("images");
+    if (!json) return images;
+    if (!json->is_array() || json->size() > kMaxPresetImages) {
+        object.fault("images", fmt::format("is not a list of at most {} images", kMaxPresetImages));
+        return images;
+    }
+    for (std::size_t i = 0; i < json->size(); ++i)
+        images.push_back(read_image((*json)[i], fmt::format("/images/{}", i), object.faults()));
+    return images;
+}
+
+/// The preset's own description; the layers are read beside it.
+Preset read_description(JsonObject& object) {
+    Preset preset;
+    preset.id = object.required_text("id");
+    if (!is_preset_id(preset.id))
+        object.fault("id", "is not made of lower-case letters, digits and hyphens");
+    preset.version = static_cast<int>(object.integer("version", 1, 1'000'000, 1));
+    preset.name = read_text("name", object);
+    preset.category = read_text("category", object);
+    preset.tags = object.texts("tags");
+    for (const std::string& tag : preset.tags) check_text(tag, "tags", object);
+    preset.author = read_text("author", object);
+    preset.licence = read_text("licence", object);
+    preset.description = read_text("description", object);
+    return preset;
+}
+
+Result<Preset> read_preset(std::string_view text) {
+    const Result<Json> json = json_from_text(text);
+    if (!json) return passed_on(json);
+    JsonFaults faults;
+    JsonObject object(*json, "", faults);
+    object.find("$schema");
+    object.require("patina-preset");
+    const std::int64_t format = object.integer("patina-preset", 1, INT32_MAX, 1);
+    if (!faults.any() && format > kPresetFormat)
+        return failure("made for a newer Patina (format {}, this one reads up to {})", format,
+                       kPresetFormat);
+    Preset preset = read_description(object);
+    preset.images = read_images(object);
+    if (const Json* layers = object.require("layers"))
+        preset.layers = layers_from_json(*layers, "/layers", faults);
+    object.finish();
+    if (!faults.any() && preset.layers.empty()) object.fault("layers", "has no layer");
+    if (faults.any()) return passed_on(faults.status());
+    IssuedIds issued;
+    preset.layers = with_unique_ids(preset.layers, issued);
+    return preset;
+}
+
+}  // namespace
+
+Result<Preset> preset_from_json(std::string_view text, std::string_view origin) {
+    Result<Preset> preset = read_preset(text);
+    if (!preset) return failure("{}: {}", quoted_for_message(origin), preset.error().message);
+    return preset;
+}
+
+std::string preset_to_json(const Preset& preset) {
+    Json json = {{"$schema", "schema.json"},  {"patina-preset", kPresetFormat},
+                 {"id", preset.id},           {"version", preset.version},
+                 {"name", preset.name},       {"category", preset.category},
+                 {"tags", preset.tags},       {"author", preset.author},
+                 {"licence", preset.licence}, {"description", preset.description}};
+    for (const PresetImage& image : preset.images)
+        json["images"].push_back({{"file", image.file}, {"hash", to_hex(image.hash)}});
+    json["layers"] = layers_to_json(preset.layers, JsonIds::LeftOut);
+    return indented_text(json);
+}
+
+}  // namespace patina
