@@ -3,21 +3,29 @@
 // meaning of Real. Every file of shaders/shared/ but the GLSL prelude stands in both lists.
 
 #undef SHARED_BLEND_GLSL
+#undef SHARED_BRDF_GLSL
 #undef SHARED_COLOR_GLSL
 #undef SHARED_COMPOSITING_GLSL
+#undef SHARED_ENVIRONMENT_GLSL
 #undef SHARED_HEIGHT_GLSL
 #undef SHARED_MASK_GLSL
 #undef SHARED_NOISE_GLSL
 #undef SHARED_NORMAL_BLEND_GLSL
+#undef SHARED_PHONG_GLSL
 #undef SHARED_RAMP_GLSL
+#undef SHARED_TONE_MAP_GLSL
 #undef SHARED_TRANSCENDENTAL_GLSL
 
 #include "shared/blend.glsl"
+#include "shared/brdf.glsl"
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
+#include "shared/environment.glsl"
 #include "shared/height.glsl"
 #include "shared/mask.glsl"
 #include "shared/noise.glsl"
 #include "shared/normal_blend.glsl"
+#include "shared/phong.glsl"
 #include "shared/ramp.glsl"
+#include "shared/tone_map.glsl"
 #include "shared/transcendental.glsl"

@@ -6,13 +6,17 @@
 #define PROBES_GLSL
 
 #include "shared/blend.glsl"
+#include "shared/brdf.glsl"
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
+#include "shared/environment.glsl"
 #include "shared/height.glsl"
 #include "shared/mask.glsl"
 #include "shared/noise.glsl"
 #include "shared/normal_blend.glsl"
+#include "shared/phong.glsl"
 #include "shared/ramp.glsl"
+#include "shared/tone_map.glsl"
 #include "shared/transcendental.glsl"
 
 /// A unit normal of the upper half-space, at most 70 degrees from flat.
@@ -90,12 +94,76 @@ Real4 probe_noise(int which, Real4 a, Real4 b) {
                  fbm(NOISE_WORLEY, position, 3, 6u, 3, 0.5f, 0.1f), 0.0f);
 }
 
+Real4 probe_light(int which, Real4 a, Real4 b) {
+    ReflectionAngles angles =
+        reflection_angles(Real3(0.0f, 0.0f, 1.0f), probe_normal(a), probe_normal(b));
+    Real roughness = 0.2f + 0.8f * a.w;
+    Real alpha = alpha_from_roughness(roughness);
+    Real3 base = Real3(b.x, b.y, b.w);
+    Real3 f0 = material_f0(dielectric_f0(1.0f + a.x, 0.5f, base), base, a.y);
+    if (which == 0)
+        return Real4(distribution_ggx(angles.n_dot_h, alpha),
+                     distribution_beckmann(angles.n_dot_h, alpha),
+                     distribution_blinn_phong(angles.n_dot_h, alpha), f0.x);
+    if (which == 1)
+        return Real4(visibility_smith_separable(angles.n_dot_l, angles.n_dot_v, alpha),
+                     visibility_smith_correlated(angles.n_dot_l, angles.n_dot_v, alpha),
+                     visibility_schlick_ggx(angles.n_dot_l, angles.n_dot_v, alpha),
+                     visibility_lecture(angles.n_dot_l, angles.n_dot_v, alpha));
+    BrdfTerms terms;
+    terms.distribution = DISTRIBUTION_GGX;
+    terms.geometry = GEOMETRY_SMITH_SEPARABLE;
+    terms.fresnel = which == 2 ? FRESNEL_SCHLICK : FRESNEL_SPHERICAL_GAUSSIAN;
+    terms.diffuse = which == 2 ? DIFFUSE_BURLEY : DIFFUSE_OREN_NAYAR;
+    Real f90 = material_f90(0.5f, a.y);
+    Real3 specular = brdf_specular(terms, angles, f0, f90, roughness);
+    Real3 diffuse = brdf_diffuse(terms, angles, diffuse_color(base, a.y), f0, f90, roughness);
+    return Real4(specular + diffuse, multiple_scattering_scale(f0, roughness).x);
+}
+
+Real4 probe_phong(int which, Real4 a, Real4 b) {
+    Real3 base = Real3(b.x, b.y, b.z);
+    if (which == 0) {
+        // Exponents grow without end as roughness falls: compare what they are used for.
+        PhongMaterial phong = phong_material(base, a.x, a.y * 0.9f + 0.1f, base);
+        PhongMaterial blinn = blinn_phong_material(base, a.x, a.y * 0.9f + 0.1f, base);
+        return Real4(phong_reflected(phong, Real3(1.0f), a.z,
+                                     phong_lobe(0.9f + 0.1f * b.w, a.z, phong.exponent)),
+                     blinn_phong_lobe(0.9f + 0.1f * b.w, a.z, blinn.exponent));
+    }
+    Real3 color = Real3(a.x, a.y, a.z) * (b.w * 4.0f);
+    return Real4(tone_map(which - 1, color), 0.0f);
+}
+
+Real4 probe_environment(int which, Real4 a, Real4 b) {
+    Real3 direction = equirect_direction(Real2(a.x, a.y));
+    if (which == 0) {
+        Sh9 basis = sh9_basis(direction);
+        Sh9 radiance = sh9_basis(probe_normal(b));
+        return Real4(direction, sh9_irradiance_over_pi(radiance, basis));
+    }
+    if (which == 1) {
+        // Away from the seam and the poles, where a rounding of the direction turns the angle.
+        Real3 middle = equirect_direction(Real2(0.1f + 0.8f * a.x, 0.1f + 0.8f * a.y));
+        Real2 uv = equirect_uv(middle);
+        return Real4(uv.x, uv.y, cube_texel_solid_angle(a.z, b.z, 8.0f),
+                     cube_direction(3, a.z, b.z).y);
+    }
+    Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
+    Real2 table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
+                                   alpha_from_roughness(0.2f + 0.8f * b.y));
+    return Real4(table.x, table.y, sample_cosine_hemisphere(point).z, point.y);
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 4) return probe_blend(which, a, b);
     if (which < 12) return probe_surface(which - 4, a, b);
     if (which < 14) return probe_number(which - 12, a, b);
     if (which < 16) return probe_noise(which - 14, a, b);
+    if (which < 20) return probe_light(which - 16, a, b);
+    if (which < 26) return probe_phong(which - 20, a, b);
+    if (which < 29) return probe_environment(which - 26, a, b);
     return Real4(-1.0f);
 }
 

@@ -11,7 +11,8 @@ namespace patina {
 
 struct Probe {
     const char* name;
-    /// How far a GPU may be off, relative to max(1, |value|): GLSL lets it fuse and reorder.
+    /// How far a GPU may be off, relative to max(1, |value|): GLSL lets it fuse and reorder. Narrow
+    /// highlights magnify a rounding of n.h by 1 / alpha^2, which is 600 at the least roughness here.
     float gpu_tolerance;
 };
 
@@ -32,6 +33,19 @@ inline constexpr Probe kProbes[] = {
     {"sin_poly, cos_poly, atan2_poly", 2e-6f},
     {"value_noise, perlin_noise, worley_noise", 4e-6f},
     {"fbm of the three noises", 4e-6f},
+    {"distribution: ggx, beckmann, blinn_phong; material_f0", 3e-4f},
+    {"visibility: smith, correlated, schlick_ggx, lecture", 4e-6f},
+    {"brdf: burley with schlick", 3e-4f},
+    {"brdf: oren_nayar with spherical gaussian", 3e-4f},
+    {"phong_material, phong_lobe, blinn_phong_lobe", 4e-5f},
+    {"tone_map_none", 1e-6f},
+    {"tone_map_reinhard", 2e-6f},
+    {"tone_map_aces", 4e-6f},
+    {"tone_map_agx", 2e-5f},
+    {"tone_map_pbr_neutral", 4e-6f},
+    {"equirect_direction, sh9_basis, sh9_irradiance_over_pi", 4e-6f},
+    {"equirect_uv, cube_texel_solid_angle, cube_direction", 4e-6f},
+    {"hammersley, split_sum_sample, sample_cosine_hemisphere", 1e-4f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 

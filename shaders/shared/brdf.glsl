@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#ifndef SHARED_BRDF_GLSL
+#define SHARED_BRDF_GLSL
+
+#include "shared/transcendental.glsl"
+
+// How surfaces reflect light: the terms of Cook and Torrance's model ("A reflectance model for
+// computer graphics", 1982) as glTF 2.0 Appendix B uses it, with alternatives to each.
+//
+// n normal, v towards the eye, l towards the light, h half way between v and l; all unit vectors.
+// roughness: what glTF stores. alpha: its square (Burley, 2012), at least LEAST_ALPHA.
+// Visibility is V = G / (4 (n.l) (n.v)), which glTF uses because it cancels; specular = D V F.
+
+// Numbers of the terms, in the order of engine/render/shading.h.
+const int DISTRIBUTION_GGX = 0;
+const int DISTRIBUTION_BECKMANN = 1;
+const int DISTRIBUTION_BLINN_PHONG = 2;
+const int GEOMETRY_SMITH_SEPARABLE = 0;
+const int GEOMETRY_SMITH_CORRELATED = 1;
+const int GEOMETRY_SCHLICK_GGX = 2;
+const int GEOMETRY_LECTURE = 3;
+const int FRESNEL_SCHLICK = 0;
+const int FRESNEL_SPHERICAL_GAUSSIAN = 1;
+const int DIFFUSE_LAMBERT = 0;
+const int DIFFUSE_BURLEY = 1;
+const int DIFFUSE_OREN_NAYAR = 2;
+const int DIFFUSE_LECTURE = 3;
+
+/// Which term stands where, for a whole picture.
+struct BrdfTerms {
+    int distribution;
+    int geometry;
+    int fresnel;
+    int diffuse;
+};
+
+// Below it a highlight is narrower than float cosines near 1 can tell apart.
+const float LEAST_ALPHA = 0.002f;
+// n.v is held above it, so that surfaces seen edge-on (or from behind, by an interpolated normal)
+// stay finite.
+const float LEAST_N_DOT_V = 1e-4f;
+
+/// The width of the microfacet distribution.
+Real alpha_from_roughness(Real roughness) {
+    return max(roughness * roughness, LEAST_ALPHA);
+}
+
+/// (1 - x)^5, the curve of Schlick's Fresnel term.
+Real schlick_weight(Real x) {
+    Real m = clamp(1.0f - x, 0.0f, 1.0f);
+    Real m2 = m * m;
+    return m2 * m2 * m;
+}
+
+// D: how many microfacets face h. The integral of D (n.h) over the hemisphere is 1.
+
+/// GGX: B. Walter and others, "Microfacet models for refraction through rough surfaces", 2007,
+/// after Trowbridge and Reitz, 1975. glTF 2.0 B.3.2. 1 / (pi alpha^2) at n.h = 1.
+Real distribution_ggx(Real n_dot_h, Real alpha) {
+    Real alpha2 = alpha * alpha;
+    Real d = n_dot_h * n_dot_h * (alpha2 - 1.0f) + 1.0f;
+    return alpha2 / (PI * d * d);
+}
+
+/// Beckmann: Gaussian slopes. Beckmann and Spizzichino, 1963; in Walter's form.
+Real distribution_beckmann(Real n_dot_h, Real alpha) {
+    Real alpha2 = alpha * alpha;
+    Real c2 = max(n_dot_h * n_dot_h, 1e-6f);
+    Real gauss = exp2_poly((c2 - 1.0f) / (alpha2 * c2) * 1.44269504f);
+    return gauss / (PI * alpha2 * c2 * c2);
+}
+
+/// Blinn-Phong as a normalised distribution, with the exponent 2 / alpha^2 - 2 that has Beckmann's
+/// curvature at n.h = 1 (Walter, 2007).
+Real distribution_blinn_phong(Real n_dot_h, Real alpha) {
+    Real inverse_alpha2 = 1.0f / (alpha * alpha);
+    Real exponent = max(2.0f * inverse_alpha2 - 2.0f, 1e-3f);
+    return pow_poly(n_dot_h, exponent) * ((exponent + 2.0f) * (0.5f / PI));
+}
+
+/// The distribution DISTRIBUTION_...
+Real distribution(int term, Real n_dot_h, Real alpha) {
+    if (term == DISTRIBUTION_BECKMANN) return distribution_beckmann(n_dot_h, alpha);
+    if (term == DISTRIBUTION_BLINN_PHONG) return distribution_blinn_phong(n_dot_h, alpha);
+    return distribution_ggx(n_dot_h, alpha);
+}
+
+// V: masking and shadowing. G = 4 (n.l) (n.v) V is in 0..1, and exchanging l and v changes nothing.
+
+/// What Smith's terms for GGX divide by: n.x + sqrt(alpha^2 + (1 - alpha^2) (n.x)^2).
+Real smith_ggx_divisor(Real n_dot_x, Real alpha) {
+    Real alpha2 = alpha * alpha;
+    return n_dot_x + sqrt(alpha2 + (1.0f - alpha2) * n_dot_x * n_dot_x);
+}
+
+/// Smith, masking and shadowing apart: glTF 2.0 B.3.2 ("Specular BRDF").
+Real visibility_smith_separable(Real n_dot_l, Real n_dot_v, Real alpha) {
+    return 1.0f / (smith_ggx_divisor(n_dot_l, alpha) * smith_ggx_divisor(n_dot_v, alpha));
+}
+
+/// Smith, masking and shadowing correlated by height. Eric Heitz, "Understanding the
+/// masking-shadowing function in microfacet-based BRDFs", JCGT 2014. Never below the separable form.
+Real visibility_smith_correlated(Real n_dot_l, Real n_dot_v, Real alpha) {
+    Real alpha2 = alpha * alpha;
+    Real masking = n_dot_l * sqrt(alpha2 + (1.0f - alpha2) * n_dot_v * n_dot_v);
+    Real shadowing = n_dot_v * sqrt(alpha2 + (1.0f - alpha2) * n_dot_l * n_dot_l);
+    return 0.5f / max(masking + shadowing, 1e-7f);
+}
+
+/// Schlick's rational form with k = alpha / 2. Christophe Schlick, "An inexpensive BRDF model",
+/// 1994; k after Brian Karis, "Real shading in Unreal Engine 4", 2013.
+Real visibility_schlick_ggx(Real n_dot_l, Real n_dot_v, Real alpha) {
+    Real k = alpha * 0.5f;
+    Real light = n_dot_l * (1.0f - k) + k;
+    Real eye = n_dot_v * (1.0f - k) + k;
+    return 0.25f / (light * eye);
+}
+
+/// The lecture's form: Smith's separable one with roughness where alpha belongs,
+/// G1(n,v) = 2 (n.v) / ((n.v) + sqrt(r^2 + (1 - r^2) (n.v)^2)), which masks more.
+Real visibility_lecture(Real n_dot_l, Real n_dot_v, Real alpha) {
+    return visibility_smith_separable(n_dot_l, n_dot_v, sqrt(alpha));
+}
+
+/// The visibility GEOMETRY_...
+Real visibility(int term, Real n_dot_l, Real n_dot_v, Real alpha) {
+    if (term == GEOMETRY_SMITH_CORRELATED)
+        return visibility_smith_correlated(n_dot_l, n_dot_v, alpha);
+    if (term == GEOMETRY_SCHLICK_GGX) return visibility_schlick_ggx(n_dot_l, n_dot_v, alpha);
+    if (term == GEOMETRY_LECTURE) return visibility_lecture(n_dot_l, n_dot_v, alpha);
+    return visibility_smith_separable(n_dot_l, n_dot_v, alpha);
+}
+
+// F: how much a microfacet reflects; f0 head on, f90 at grazing angles.
+
+/// Schlick, 1994; glTF 2.0 B.3.2. f0 at v.h = 1, f90 at v.h = 0, monotone between.
+Real3 fresnel_schlick(Real v_dot_h, Real3 f0, Real f90) {
+    return f0 + (Real3(f90) - f0) * schlick_weight(v_dot_h);
+}
+
+/// Schlick's curve as a power of two. Sebastien Lagarde, "Spherical Gaussian approximation for
+/// Blinn-Phong, Phong and Fresnel", 2012. Within 0.01 of it.
+Real3 fresnel_spherical_gaussian(Real v_dot_h, Real3 f0, Real f90) {
+    return f0 + (Real3(f90) - f0) * exp2_poly((-5.55473f * v_dot_h - 6.98316f) * v_dot_h);
+}
+
+/// The Fresnel term FRESNEL_...
+Real3 fresnel(int term, Real v_dot_h, Real3 f0, Real f90) {
+    if (term == FRESNEL_SPHERICAL_GAUSSIAN) return fresnel_spherical_gaussian(v_dot_h, f0, f90);
+    return fresnel_schlick(v_dot_h, f0, f90);
+}
+
+// Reflectance of materials, glTF 2.0 with KHR_materials_ior and KHR_materials_specular.
+
+/// F0 of a dielectric in air, ((ior - 1) / (ior + 1))^2. 0.04 for 1.5; 1 for 0, which the extension
+/// gives the meaning of a full mirror.
+Real f0_from_ior(Real ior) {
+    Real r = (ior - 1.0f) / (ior + 1.0f);
+    return r * r;
+}
+
+/// F0 of a dielectric with specular factor (0..1) and linear colour.
+Real3 dielectric_f0(Real ior, Real specular_factor, Real3 specular_color) {
+    return min(specular_color * f0_from_ior(ior), 1.0f) * specular_factor;
+}
+
+/// F0 of a material: a metal's is its base colour.
+Real3 material_f0(Real3 dielectric, Real3 base_color, Real metalness) {
+    return mix(dielectric, base_color, metalness);
+}
+
+/// F90 of a material: 1 for metals, the specular factor for dielectrics.
+Real material_f90(Real specular_factor, Real metalness) {
+    return mix(specular_factor, Real(1.0f), metalness);
+}
+
+/// The colour of the diffuse part: metals have none.
+Real3 diffuse_color(Real3 base_color, Real metalness) {
+    return base_color * (1.0f - metalness);
+}
+
+// Diffuse terms, for a white surface: without colour, with 1/pi.
+
+/// Brent Burley, "Physically based shading at Disney", 2012. Exchanging l and v changes nothing.
+Real diffuse_burley(Real n_dot_l, Real n_dot_v, Real v_dot_h, Real roughness) {
+    Real rise = 2.0f * v_dot_h * v_dot_h * roughness - 0.5f;  // F_D90 - 1
+    Real light = 1.0f + rise * schlick_weight(n_dot_l);
+    Real eye = 1.0f + rise * schlick_weight(n_dot_v);
+    return light * eye * (1.0f / PI);
+}
+
+/// Oren and Nayar, "Generalization of Lambert's reflectance model", 1994, qualitative form, with
+/// roughness as the deviation of slopes in radians; without trigonometry after Yasuhiro Fujii.
+/// Lambert's for roughness 0.
+Real diffuse_oren_nayar(Real n_dot_l, Real n_dot_v, Real l_dot_v, Real roughness) {
+    Real sigma2 = roughness * roughness;
+    Real a = 1.0f - 0.5f * sigma2 / (sigma2 + 0.33f);
+    Real b = 0.45f * sigma2 / (sigma2 + 0.09f);
+    Real s = l_dot_v - n_dot_l * n_dot_v;
+    Real divisor = select(s > 0.0f, max(max(n_dot_l, n_dot_v), 1e-4f), 1.0f);
+    return (a + b * s / divisor) * (1.0f / PI);
+}
+
+// A surface under one light.
+
+struct ReflectionAngles {
+    Real n_dot_l;  // 0..1; 0: the light is behind
+    Real n_dot_v;  // LEAST_N_DOT_V..1
+    Real n_dot_h;  // 0..1
+    Real v_dot_h;  // 0..1
+    Real l_dot_v;  // -1..1
+};
+
+ReflectionAngles reflection_angles(Real3 n, Real3 v, Real3 l) {
+    Real3 between = v + l;
+    Real3 h = between * inversesqrt(max(dot(between, between), 1e-12f));
+    ReflectionAngles angles;
+    angles.n_dot_l = clamp(dot(n, l), 0.0f, 1.0f);
+    angles.n_dot_v = clamp(dot(n, v), LEAST_N_DOT_V, 1.0f);
+    angles.n_dot_h = clamp(dot(n, h), 0.0f, 1.0f);
+    angles.v_dot_h = clamp(dot(v, h), 0.0f, 1.0f);
+    angles.l_dot_v = clamp(dot(l, v), -1.0f, 1.0f);
+    return angles;
+}
+
+/// The specular BRDF D V F.
+Real3 brdf_specular(BrdfTerms terms, ReflectionAngles angles, Real3 f0, Real f90, Real roughness) {
+    Real alpha = alpha_from_roughness(roughness);
+    Real dv = distribution(terms.distribution, angles.n_dot_h, alpha) *
+              visibility(terms.geometry, angles.n_dot_l, angles.n_dot_v, alpha);
+    return fresnel(terms.fresnel, angles.v_dot_h, f0, f90) * dv;
+}
+
+/// The diffuse BRDF, (1 - F) x colour x term: what is not reflected enters. glTF 2.0 B.3.
+/// The lecture's is the colour alone: without 1/pi and without 1 - F.
+Real3 brdf_diffuse(BrdfTerms terms, ReflectionAngles angles, Real3 color, Real3 f0, Real f90,
+                   Real roughness) {
+    if (terms.diffuse == DIFFUSE_LECTURE) return color;
+    Real term = 1.0f / PI;
+    if (terms.diffuse == DIFFUSE_BURLEY)
+        term = diffuse_burley(angles.n_dot_l, angles.n_dot_v, angles.v_dot_h, roughness);
+    if (terms.diffuse == DIFFUSE_OREN_NAYAR)
+        term = diffuse_oren_nayar(angles.n_dot_l, angles.n_dot_v, angles.l_dot_v, roughness);
+    Real3 entering = Real3(1.0f) - fresnel(terms.fresnel, angles.v_dot_h, f0, f90);
+    return color * entering * term;
+}
+
+/// What the specular part is multiplied by to give back the energy that single scattering loses.
+/// directional_albedo: what a surface with F = 1 reflects of uniform light at this n.v and
+/// roughness. 1 for albedo 1; a mirror-coloured surface (f0 = 1) then reflects everything.
+/// Emmanuel Turquin, "Practical multiple scattering compensation for microfacet models", 2019.
+Real3 multiple_scattering_scale(Real3 f0, Real directional_albedo) {
+    return Real3(1.0f) + f0 * (1.0f / max(directional_albedo, 1e-3f) - 1.0f);
+}
+
+// Sampling. Directions are in the tangent frame: z along the normal.
+
+/// Point i of a set of `count` in the unit square. J. M. Hammersley, 1960; the second coordinate is
+/// van der Corput's: the bits of i mirrored about the binary point (exact for 2^23 points).
+Real2 hammersley(Uint i, uint count) {
+    Uint b = (i << 16) | (i >> 16);
+    b = ((b & 0x00ff00ffu) << 8) | ((b & 0xff00ff00u) >> 8);
+    b = ((b & 0x0f0f0f0fu) << 4) | ((b & 0xf0f0f0f0u) >> 4);
+    b = ((b & 0x33333333u) << 2) | ((b & 0xccccccccu) >> 2);
+    b = ((b & 0x55555555u) << 1) | ((b & 0xaaaaaaaau) >> 1);
+    Real mirrored = Real(Int(b >> 8)) * 5.9604644775390625e-8f;  // 2^-24
+    return Real2(Real(Int(i)) / float(count), mirrored);
+}
+
+/// A direction by its cosine to z and a turn 0..1 about it.
+Real3 direction_about_z(Real cosine, Real turn) {
+    Real sine = sqrt(max(1.0f - cosine * cosine, 0.0f));
+    Real phi = turn * (2.0f * PI);
+    return Real3(sine * cos_poly(phi), sine * sin_poly(phi), cosine);
+}
+
+/// A half vector for u of the unit square, with the density D (n.h) of GGX. Walter, 2007.
+Real3 sample_ggx_half_vector(Real2 u, Real alpha) {
+    Real cosine2 = (1.0f - u.y) / (1.0f + (alpha * alpha - 1.0f) * u.y);
+    return direction_about_z(sqrt(max(cosine2, 0.0f)), u.x);
+}
+
+/// A direction with the density (n.l) / pi.
+Real3 sample_cosine_hemisphere(Real2 u) {
+    return direction_about_z(sqrt(1.0f - u.y), u.x);
+}
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#ifndef SHARED_PHONG_GLSL
+#define SHARED_PHONG_GLSL
+
+#include "shared/transcendental.glsl"
+
+// The traditional models, in the units of a fixed-function pipeline: light x (diffuse x (n.l) +
+// specular x lobe) + ambient x diffuse, where a light's colour is its irradiance / pi.
+// Bui Tuong Phong, "Illumination for computer generated pictures", 1975; James F. Blinn, "Models of
+// light reflection for computer synthesized pictures", 1977.
+
+struct PhongMaterial {
+    Real3 diffuse;   // linear, 0..1
+    Real3 specular;  // linear, 0..1
+    Real exponent;
+};
+
+/// Phong's lobe: the light's mirror direction against the eye's. 0 where the light is behind.
+Real phong_lobe(Real r_dot_v, Real n_dot_l, Real exponent) {
+    return select(n_dot_l > 0.0f, pow_poly(r_dot_v, exponent), 0.0f);
+}
+
+/// Blinn's lobe: the half vector against the normal. 0 where the light is behind.
+Real blinn_phong_lobe(Real n_dot_h, Real n_dot_l, Real exponent) {
+    return select(n_dot_l > 0.0f, pow_poly(n_dot_h, exponent), 0.0f);
+}
+
+// The conversion from a metal-roughness material. A highlight is as wide as GGX's: at the angle
+// where the lobe has fallen to one half, so has GGX's distribution D,
+//   (cos^2 (alpha^2 - 1) + 1)^2 = 2 alpha^4,  so  tan^2 = alpha^2 (sqrt 2 - 1) / (1 - sqrt 2 alpha^2).
+// From alpha^2 = 1 / sqrt 2 (roughness 0.92) GGX never falls so far; there the exponent is 1, its
+// least. Its greatest is 1e6 (roughness 0.043).
+
+/// tan^2 of the angle between n and h at which GGX has fallen to one half.
+Real half_maximum_tangent2(Real alpha) {
+    Real alpha2 = alpha * alpha;
+    return alpha2 * 0.414213562f / max(1.0f - 1.41421356f * alpha2, 1e-6f);
+}
+
+/// log2(1 + t), t >= 0, also for t so small that 1 + t is 1.
+Real log2_one_plus(Real t) {
+    Real series = t * (1.44269504f - t * (0.721347520f - t * 0.480898347f));
+    return select(t < 0.01f, series, log2_poly(1.0f + t));
+}
+
+/// Blinn-Phong's exponent e: cos^e is one half at that angle between n and h.
+Real blinn_phong_exponent(Real roughness) {
+    Real t = half_maximum_tangent2(roughness * roughness);
+    return clamp(2.0f / max(log2_one_plus(t), 1e-7f), 1.0f, 1e6f);
+}
+
+/// Phong's exponent: as h turns by an angle, the mirror direction turns by twice that.
+Real phong_exponent(Real roughness) {
+    Real t = half_maximum_tangent2(roughness * roughness);
+    // cos 2a = (1 - t) / (1 + t), and log2 of its inverse is log2(1 + 2t / (1 - t)).
+    Real fall = log2_one_plus(2.0f * t / max(1.0f - t, 1e-6f));
+    return clamp(1.0f / max(fall, 1e-7f), 1.0f, 1e6f);
+}
+
+/// How strongly a lobe shines: a normalised one's peak (E + 8) / 8 of the Blinn-Phong exponent E
+/// (Hoffman, "Real-time rendering", 2008), by f0, but held to 1 in every channel together, because a
+/// fixed-function colour ends there; the hue stays.
+Real3 phong_specular_color(Real3 f0, Real roughness) {
+    Real peak = (blinn_phong_exponent(roughness) + 8.0f) * 0.125f;
+    Real brightest = max(max(f0.x, f0.y), max(f0.z, 1e-4f));
+    return f0 * min(peak, 1.0f / brightest);
+}
+
+/// Diffuse colour. A metal keeps 0.6 of its base colour, where physics leaves it nothing: with no
+/// surroundings to mirror, artists gave metals a diffuse colour (the metals of Silicon Graphics'
+/// teapots.c keep 0.53 to 0.75 of their reflectance).
+Real3 phong_diffuse_color(Real3 base_color, Real metalness) {
+    return base_color * (1.0f - 0.4f * metalness);
+}
+
+/// The Phong material that stands for a metal-roughness one.
+PhongMaterial phong_material(Real3 base_color, Real metalness, Real roughness, Real3 f0) {
+    PhongMaterial material;
+    material.diffuse = phong_diffuse_color(base_color, metalness);
+    material.specular = phong_specular_color(f0, roughness);
+    material.exponent = phong_exponent(roughness);
+    return material;
+}
+
+/// The Blinn-Phong material that stands for a metal-roughness one.
+PhongMaterial blinn_phong_material(Real3 base_color, Real metalness, Real roughness, Real3 f0) {
+    PhongMaterial material;
+    material.diffuse = phong_diffuse_color(base_color, metalness);
+    material.specular = phong_specular_color(f0, roughness);
+    material.exponent = blinn_phong_exponent(roughness);
+    return material;
+}
+
+/// Light sent to the eye by one light of the given irradiance / pi, with either lobe.
+Real3 phong_reflected(PhongMaterial material, Real3 light, Real n_dot_l, Real lobe) {
+    return light * (material.diffuse * max(n_dot_l, 0.0f) + material.specular * lobe);
+}
+
+#endif
