@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include "cli/command_line.h"
 
-int main() {
-    fmt::print("patina {}\n", PATINA_VERSION);
-    return 0;
+int main(int argc, char** argv) {
+    const patina::cli::Invocation invocation = patina::cli::parse(argc, argv);
+    if (const auto* exit = std::get_if<patina::cli::ExitStatus>(&invocation)) return exit->value;
+    return patina::cli::run(std::get<std::function<patina::Status()>>(invocation));
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+
+namespace patina::cli {
+namespace {
+
+constexpr std::array kCommands = {add_sample};
+
+constexpr const char* kFooter = "Exit status: 0 done, 1 failed (one line says why), 2 wrong usage.";
+
+/// The command whose help is to be looked at: "patina", or "patina bake".
+std::string innermost_command(const CLI::App& app) {
+    std::string name = app.get_name();
+    const CLI::App* at = &app;
+    while (!at->get_subcommands().empty()) {
+        at = at->get_subcommands().front();
+        name += " " + at->get_name();
+    }
+    return name;
+}
+
+ExitStatus report(const CLI::App& app, const CLI::ParseError& error) {
+    // Help and the version are errors of status 0 to CLI11.
+    if (error.get_exit_code() == 0) return {app.exit(error)};
+    fmt::print(stderr, "patina: {}; see '{} --help'\n", quoted_for_message(error.what()),
+               innermost_command(app));
+    return {2};
+}
+
+}  // namespace
+
+Invocation parse(int argc, char** argv) {
+    CLI::App app("Patina, an editor for layered physically based materials in glTF files.");
+    app.name("patina");
+    app.set_version_flag("--version", "patina " PATINA_VERSION);
+    app.footer(kFooter);
+    app.require_subcommand(1);
+    Command chosen;
+    for (const auto add : kCommands) add(app, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report(app, error);
+    }
+    return chosen;
+}
+
+int run(const std::function<Status()>& command) {
+    const Status status = command();
+    if (status) return 0;
+    fmt::print(stderr, "patina: {}\n", status.error().message);
+    return 1;
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What was typed: a command.
+
+#include <functional>
+#include <variant>
+
+#include "core/result.h"
+
+namespace patina::cli {
+
+/// Nothing is left to do: help was printed (0) or the usage was wrong (2).
+struct ExitStatus {
+    int value = 0;
+};
+
+using Invocation = std::variant<std::function<Status()>, ExitStatus>;
+
+/// Reads the command line. Help goes to the standard output, wrong usage to the standard error
+/// stream as one line.
+Invocation parse(int argc, char** argv);
+
+/// Runs a command: 0, or 1 after its one line on the standard error stream.
+int run(const std::function<Status()>& command);
+
+}  // namespace patina::cli
