@@ -6,7 +6,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "composite/image_provider.h"
 #include "core/progress.h"
@@ -38,6 +40,14 @@ class ImageStore final : public ImageProvider {
     /// Reads a file and adds it: PNG and JPEG keep their bytes, other formats are carried as 16-bit
     /// PNG when they are within 0..1.
     Result<ImageAssetPtr> add_file(const std::filesystem::path& path);
+
+    /// Stands in for pixels that are missing or cannot be decoded: a checker is served under
+    /// `hash`. `encoded` may be null.
+    ImageAssetPtr add_placeholder(const Hash128& hash, std::string_view name,
+                                  std::shared_ptr<const Bytes> encoded);
+
+    /// Forgets all pixels but these.
+    void keep_only(std::span<const Hash128> images);
 
     Result<ImagePtr> pixels_if_ready(const Hash128& image) override;
     Result<ImagePtr> pixels(const Hash128& image) override;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What is known of an encoded image before its pixels are decoded.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "io/image_store.h"
+#include "scene/image.h"
+
+namespace patina::io {
+
+struct ImageHeader {
+    int width = 0;
+    int height = 0;
+    int channels = 0;  ///< as they will be decoded, 1 to 4
+    SampleType type = SampleType::U8;
+    std::string format;  ///< OpenImageIO's name, such as "png"
+
+    std::uint64_t decoded_bytes() const {
+        return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+               static_cast<std::uint64_t>(channels) * sample_bytes(type);
+    }
+};
+
+/// OpenImageIO's name of a format, told by content, else by the extension of `name`; empty if it
+/// is unknown.
+std::string_view image_format(std::span<const std::byte> encoded, std::string_view name);
+/// "image/png" for "png", and so on.
+std::string_view mime_type_of_format(std::string_view format);
+
+/// Fails when the header states more than the limits allow.
+Status check_image_size(const ImageHeader& header, const ImageLimits& limits);
+
+/// Reads the header alone.
+Result<ImageHeader> read_image_header(std::span<const std::byte> encoded, std::string_view name);
+
+}  // namespace patina::io

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "io/image_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <set>
+#include <unordered_map>
+
+#include "io/image_decode.h"
+#include "io/png_writer.h"
+
+namespace patina::io {
+namespace {
+
+ImageAssetPtr asset_of(const Hash128& hash, const Image& image, std::string_view name,
+                       std::string_view mime_type, std::shared_ptr<const Bytes> encoded) {
+    auto asset = std::make_shared<ImageAsset>();
+    asset->hash = hash;
+    asset->name = name;
+    asset->mime_type = mime_type;
+    asset->encoded = std::move(encoded);
+    asset->width = image.width;
+    asset->height = image.height;
+    asset->channels = image.channels;
+    asset->type = image.type;
+    return asset;
+}
+
+/// What is shown in place of pixels that are not there: a checker close to a flat normal, half
+/// rough, so that it is seen and does no harm in any channel.
+ImagePtr placeholder_image() {
+    static const ImagePtr placeholder = [] {
+        constexpr int kSide = 16;
+        auto image = std::make_shared<Image>();
+        image->width = kSide;
+        image->height = kSide;
+        image->channels = 3;
+        image->type = SampleType::U8;
+        for (int y = 0; y < kSide; ++y) {
+            for (int x = 0; x < kSide; ++x) {
+                const bool light = (x / 4 + y / 4) % 2 == 0;
+                image->data.insert(
+                    image->data.end(),
+                    {std::byte(light ? 136 : 120), std::byte(light ? 136 : 120), std::byte(255)});
+            }
+        }
+        return image;
+    }();
+    return placeholder;
+}
+
+bool is_within_0_to_1(const Image& image) {
+    const auto* const numbers = reinterpret_cast<const float*>(image.data.data());
+    return std::all_of(numbers, numbers + image.data.size() / sizeof(float),
+                       [](float number) { return number >= 0.0f && number <= 1.0f; });
+}
+
+/// The same picture in 16 bits a sample.
+Image as_u16(const Image& image) {
+    Image rounded = image;
+    rounded.type = SampleType::U16;
+    rounded.data.resize(image.data.size() / 2);
+    const auto* const from = reinterpret_cast<const float*>(image.data.data());
+    auto* const to = reinterpret_cast<std::uint16_t*>(rounded.data.data());
+    for (std::size_t i = 0; i < image.data.size() / sizeof(float); ++i)
+        to[i] = static_cast<std::uint16_t>(std::lround(from[i] * 65535.0f));
+    return rounded;
+}
+
+}  // namespace
+
+struct ImageStore::State {
+    ImageLimits limits;
+    mutable std::mutex mutex;
+    std::unordered_map<Hash128, ImagePtr, Hash128Hash> pixels;       ///< by content_hash
+    std::unordered_map<Hash128, ImageAssetPtr, Hash128Hash> assets;  ///< by hash_bytes of the file
+    std::uint64_t reserved_bytes = 0;  ///< of decoded images and of those being decoded
+
+    /// Sets memory aside, or says that the images together are too large.
+    Status reserve(std::uint64_t bytes) {
+        const std::lock_guard lock(mutex);
+        if (bytes > limits.max_decoded_bytes - reserved_bytes)
+            return failure(
+                "all images together would take more than the limit of {} MiB; scale them down",
+                limits.max_decoded_bytes >> 20);
+        reserved_bytes += bytes;
+        return {};
+    }
+    void release(std::uint64_t bytes) {
+        const std::lock_guard lock(mutex);
+        reserved_bytes -= bytes;
+    }
+    /// Takes reserved pixels in; what is there already is not kept twice.
+    void keep(const Hash128& hash, ImagePtr image) {
+        const std::lock_guard lock(mutex);
+        const std::uint64_t bytes = image->data.size();
+        if (!pixels.try_emplace(hash, std::move(image)).second) reserved_bytes -= bytes;
+    }
+    ImageAssetPtr find_asset(const Hash128& encoded) const {
+        const std::lock_guard lock(mutex);
+        const auto found = assets.find(encoded);
+        return found == assets.end() ? nullptr : found->second;
+    }
+    void keep_asset(const Hash128& encoded, const ImageAssetPtr& asset) {
+        const std::lock_guard lock(mutex);
+        assets.emplace(encoded, asset);
+    }
+};
+
+ImageStore::ImageStore(const ImageLimits& limits) : state_(std::make_unique<State>()) {
+    state_->limits = limits;
+}
+ImageStore::~ImageStore() = default;
+
+Result<ImageAssetPtr> ImageStore::add(std::shared_ptr<const Bytes> encoded, std::string_view name) {
+    const Hash128 encoded_hash = hash_bytes(*encoded);
+    if (const auto known = state_->find_asset(encoded_hash)) return known;
+    const auto header = read_image_header(*encoded, name);
+    if (!header) return passed_on(header);
+    if (const auto fits = check_image_size(*header, state_->limits); !fits) return passed_on(fits);
+    if (const auto fits = state_->reserve(header->decoded_bytes()); !fits) return passed_on(fits);
+    const auto image = decode_image(*encoded, name, state_->limits);
+    if (!image) {
+        state_->release(header->decoded_bytes());
+        return passed_on(image);
+    }
+    const Hash128 hash = content_hash(**image);
+    const auto asset =
+        asset_of(hash, **image, name, mime_type_of_format(header->format), std::move(encoded));
+    state_->keep(hash, *image);
+    state_->keep_asset(encoded_hash, asset);
+    return asset;
+}
+
+Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
+    auto bytes = read_file(path);
+    if (!bytes) return passed_on(bytes);
+    const std::string name = path.filename().string();
+    const auto named = [&](const Error& error) {
+        return failure("{}: {}", quoted_for_message(path.string()), error.message);
+    };
+    const std::string_view format = image_format(*bytes, name);
+    auto encoded = std::make_shared<const Bytes>(std::move(*bytes));
+    if (format == "png" || format == "jpeg") {
+        auto asset = add(std::move(encoded), name);
+        if (!asset) return named(asset.error());
+        return asset;
+    }
+    const auto image = decode_image(*encoded, name, state_->limits);
+    if (!image) return named(image.error());
+    const bool is_float = (*image)->type == SampleType::F32;
+    if (is_float && !is_within_0_to_1(**image)) {
+        auto asset = add(std::move(encoded), name);
+        if (!asset) return named(asset.error());
+        return asset;
+    }
+    auto png = encode_png(is_float ? as_u16(**image) : **image);
+    if (!png) return named(png.error());
+    auto asset = add(std::make_shared<const Bytes>(std::move(*png)), name);
+    if (!asset) return named(asset.error());
+    return asset;
+}
+
+ImageAssetPtr ImageStore::add_placeholder(const Hash128& hash, std::string_view name,
+                                          std::shared_ptr<const Bytes> encoded) {
+    const ImagePtr image = placeholder_image();
+    auto asset = asset_of(hash, *image, name, {}, std::move(encoded));
+    const std::lock_guard lock(state_->mutex);
+    state_->pixels.try_emplace(hash, image);
+    return asset;
+}
+
+void ImageStore::keep_only(std::span<const Hash128> images) {
+    const std::lock_guard lock(state_->mutex);
+    const std::set<Hash128> kept(images.begin(), images.end());
+    const auto is_kept = [&](const Hash128& hash) { return kept.contains(hash); };
+    std::erase_if(state_->assets, [&](const auto& entry) { return !is_kept(entry.second->hash); });
+    std::erase_if(state_->pixels, [&](const auto& entry) {
+        if (is_kept(entry.first)) return false;
+        if (entry.second != placeholder_image())
+            state_->reserved_bytes -= entry.second->data.size();
+        return true;
+    });
+}
+
+Result<ImagePtr> ImageStore::pixels_if_ready(const Hash128& image) {
+    const std::lock_guard lock(state_->mutex);
+    const auto found = state_->pixels.find(image);
+    if (found == state_->pixels.end())
+        return failure("no image with the hash {} is known", to_hex(image));
+    return found->second;
+}
+
+Result<ImagePtr> ImageStore::pixels(const Hash128& image) {
+    return pixels_if_ready(image);
+}
+
+std::size_t ImageStore::decoded_bytes() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->reserved_bytes;
+}
+
+}  // namespace patina::io
