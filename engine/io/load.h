@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// glTF in. Everything that ROBUSTNESS.md lists is checked before tinygltf sees the text: no file
-/// can crash, hang or leave its folder.
+/// glTF in. The whole text is checked before any of it is used: no file can crash or hang the
+/// program, take memory beyond the limits, or reach out of its folder.
 
 #include <filesystem>
 #include <memory>
@@ -19,6 +19,7 @@ namespace patina::io {
 struct LoadLimits {
     std::uint64_t file_bytes = kFileLimitBytes;
     std::uint64_t decoded_image_bytes = std::uint64_t{2} << 30;
+    std::uint64_t geometry_bytes = std::uint64_t{2} << 30;  ///< of all meshes together
     int nodes = 1'000'000;
     int node_depth = 1'000;
     int json_depth = 64;
