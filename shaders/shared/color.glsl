@@ -8,18 +8,19 @@
 /// Linear light 0..1 of an sRGB-encoded value; what is outside is held to 0..1. IEC 61966-2-1.
 /// Error below 6e-7 of the encoded value that it stands for (a 16-bit step is 1.5e-5); exactly 0 at
 /// 0 and 1 at 1; decoding and encoding each of the 256 bytes returns it.
-/// With v = sqrt((s + 0.055) / 1.055) the curve is v^4.8, which a short polynomial in v follows
-/// where one in s needs twice the degree.
+/// With t = (s + 0.055) / 1.055 and v = sqrt(t) the curve is t^2 v^0.8, and a short polynomial
+/// follows v^0.8 where t^2.4 needs twice the degree.
 Real linear_from_srgb(Real encoded) {
     Real s = clamp(encoded, 0.0f, 1.0f);
-    Real v = sqrt(s * 0.947867299f + 0.0521327014f);
-    Real q = -0.0379628539f;
-    q = q * v + 0.779894471f;
-    q = q * v + 1.0768218f;
-    q = q * v + 0.9776963f;
-    q = q * v + 1.00379777f;
-    q = q * v + 0.999723792f;
-    Real curve = 1.0f + (v - 1.0f) * q;
+    Real t = s * 0.947867299f + 0.0521327014f;
+    Real v = sqrt(t);
+    Real w = -0.0934455842f;
+    w = w * v + 0.362722188f;
+    w = w * v - 0.597119331f;
+    w = w * v + 0.565491915f;
+    w = w * v - 0.405060083f;
+    w = w * v + 0.967347801f;
+    Real curve = t * t * (1.0f + (v - 1.0f) * w);
     return select(s <= 0.04045f, s * 0.0773993808f, curve);
 }
 

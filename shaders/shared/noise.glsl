@@ -158,7 +158,7 @@ Real noise(int kind, Real2 position, int period, uint seed) {
 
 /// The mean of a kind of noise, to which detail fades that is too small to be shown.
 float noise_mean(int kind) {
-    return kind == NOISE_WORLEY ? 0.395f : 0.5f;
+    return kind == NOISE_WORLEY ? 0.4295f : 0.5f;
 }
 
 /// How much of an octave is shown when a texel is `footprint` cells wide: all while a cell covers

@@ -12,7 +12,8 @@ namespace patina {
 struct Probe {
     const char* name;
     /// How far a GPU may be off, relative to max(1, |value|): GLSL lets it fuse and reorder. Narrow
-    /// highlights magnify a rounding of n.h by 1 / alpha^2, which is 600 at the least roughness here.
+    /// highlights magnify a rounding of n.h by 1 / alpha^2, which is 600 at the least roughness
+    /// here.
     float gpu_tolerance;
 };
 

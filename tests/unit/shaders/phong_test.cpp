@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/formulae/formulae.h"
+
+namespace patina {
+namespace {
+
+using formulae::Real3;
+
+/// The angle between n and h at which a lobe has fallen to one half of its peak, by bisection.
+double half_maximum_angle(const std::function<double(double angle)>& lobe) {
+    double inside = 0, outside = 1.5707963;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (inside + outside) / 2;
+        (lobe(middle) > 0.5 * lobe(0) ? inside : outside) = middle;
+    }
+    return inside;
+}
+
+double ggx_width(double roughness) {
+    const double alpha2 = std::pow(roughness, 4);
+    return half_maximum_angle([&](double angle) {
+        const double c2 = std::cos(angle) * std::cos(angle);
+        return alpha2 / std::pow(c2 * (alpha2 - 1) + 1, 2);
+    });
+}
+
+TEST(Phong, HighlightsAreAsWideAsThoseOfGgxAtHalfMaximum) {
+    for (const double roughness : {0.05, 0.1, 0.2, 0.35, 0.5, 0.6, 0.7}) {
+        const double exponent = formulae::blinn_phong_exponent(static_cast<float>(roughness));
+        const double width =
+            half_maximum_angle([&](double angle) { return std::pow(std::cos(angle), exponent); });
+        EXPECT_NEAR(width / ggx_width(roughness), 1.0, 1e-3) << "Blinn-Phong at " << roughness;
+    }
+    for (const double roughness : {0.05, 0.1, 0.2, 0.35, 0.5, 0.6}) {
+        const double exponent = formulae::phong_exponent(static_cast<float>(roughness));
+        // The mirrored light turns by twice the angle of the half vector.
+        const double width = half_maximum_angle([&](double angle) {
+            return 2 * angle < 1.5707963 ? std::pow(std::cos(2 * angle), exponent) : 0.0;
+        });
+        EXPECT_NEAR(width / ggx_width(roughness), 1.0, 1e-3) << "Phong at " << roughness;
+    }
+}
+
+TEST(Phong, ExponentsFallAsRoughnessRisesAndStayInTheirRange) {
+    for (int i = 1; i <= 1000; ++i) {
+        const float smoother = static_cast<float>(i - 1) / 1000.0f;
+        const float rougher = static_cast<float>(i) / 1000.0f;
+        ASSERT_GE(formulae::blinn_phong_exponent(smoother),
+                  formulae::blinn_phong_exponent(rougher));
+        ASSERT_GE(formulae::phong_exponent(smoother), formulae::phong_exponent(rougher));
+    }
+    EXPECT_EQ(formulae::blinn_phong_exponent(0.0f), 1e6f);
+    EXPECT_EQ(formulae::blinn_phong_exponent(1.0f), 1.0f);
+    EXPECT_EQ(formulae::phong_exponent(1.0f), 1.0f);
+}
+
+TEST(Phong, SpecularColoursStayWithinZeroToOneAndKeepTheirHue) {
+    const Real3 gold(1.0f, 0.77f, 0.34f);
+    const Real3 smooth = formulae::phong_specular_color(gold, 0.1f);
+    EXPECT_FLOAT_EQ(smooth.x, 1.0f);
+    EXPECT_FLOAT_EQ(smooth.y, 0.77f);
+    const Real3 rough = formulae::phong_specular_color(Real3(0.04f), 0.9f);
+    EXPECT_GT(rough.x, 0.04f);
+    EXPECT_LT(rough.x, 0.1f);
+}
+
+TEST(Phong, MetalsKeepADiffuseColourAndDielectricsAllOfIt) {
+    const Real3 base(0.5f, 0.25f, 1.0f);
+    EXPECT_EQ(formulae::phong_diffuse_color(base, 0.0f).z, 1.0f);
+    EXPECT_FLOAT_EQ(formulae::phong_diffuse_color(base, 1.0f).z, 0.6f);
+}
+
+TEST(Phong, LobesPeakAtTheMirrorDirectionAndAreDarkBehind) {
+    EXPECT_EQ(formulae::phong_lobe(1.0f, 0.5f, 40.0f), 1.0f);
+    EXPECT_EQ(formulae::blinn_phong_lobe(1.0f, 0.5f, 40.0f), 1.0f);
+    EXPECT_EQ(formulae::phong_lobe(1.0f, 0.0f, 40.0f), 0.0f);
+    EXPECT_EQ(formulae::phong_lobe(-0.5f, 0.5f, 2.0f), 0.0f);
+    EXPECT_NEAR(formulae::blinn_phong_lobe(0.9f, 0.5f, 40.0f), std::pow(0.9, 40), 1e-7);
+}
+
+}  // namespace
+}  // namespace patina
