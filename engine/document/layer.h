@@ -44,14 +44,14 @@ struct Levels {
 };
 
 struct MaskEntry {
-    MaskEntryId id;
-    std::string name;
+    MaskEntryId id = {};
+    std::string name = {};
     bool visible = true;
     Source source = ConstantSource{glm::vec3(1.0f, 0.0f, 0.0f)};
     MaskCombine combine = MaskCombine::Multiply;
     float opacity = 1.0f;  ///< 0 to 1: lerp between the mask without and with this entry
     bool invert = false;
-    Levels levels;
+    Levels levels = {};
     bool operator==(const MaskEntry&) const = default;
 };
 
@@ -60,7 +60,7 @@ struct Mask {
     bool enabled = true;
     bool invert = false;
     float base = 1.0f;  ///< 1 white (the layer covers everything), 0 black
-    std::vector<MaskEntry> entries;
+    std::vector<MaskEntry> entries = {};
     bool operator==(const Mask&) const = default;
 };
 
@@ -69,7 +69,7 @@ struct ChannelSettings {
     bool enabled = false;
     Source source = ConstantSource{};  ///< of a group: unused, its children are the source
     /// Unset: the layer's mode where the channel is a colour, else default_blend_mode(channel).
-    std::optional<BlendMode> mode;
+    std::optional<BlendMode> mode = {};
     float opacity = 1.0f;  ///< 0 to 1
     bool operator==(const ChannelSettings&) const = default;
 };
@@ -90,21 +90,21 @@ struct FillContent {
 /// Children bottom to top. An isolated group is composited by itself from transparent and then
 /// laid on as one source.
 struct GroupContent {
-    std::vector<LayerPtr> children;
+    std::vector<LayerPtr> children = {};
     bool open = true;  ///< unfolded in the layer list
     bool operator==(const GroupContent&) const = default;
 };
 using LayerContent = std::variant<FillContent, GroupContent>;
 
 struct Layer {
-    LayerId id;
-    std::string name;
+    LayerId id = {};
+    std::string name = {};
     bool visible = true;
     bool locked = false;
     float opacity = 1.0f;                ///< 0 to 1
     BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own
     BlendSpace blend_space = BlendSpace::Linear;
-    Mask mask;
+    Mask mask = {};
     PerChannel<ChannelSettings> channels = default_channels();
     LayerContent content = FillContent{};
 

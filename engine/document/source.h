@@ -44,7 +44,7 @@ struct ImageSource {
     bool directx_normal = false;     ///< a normal map with -Y up
     bool alpha_is_coverage = false;  ///< the image's alpha scales the weight of the layer there
     int uv_set = 0;
-    UvTransform transform;
+    UvTransform transform = {};
     Wrap wrap_u = Wrap::Repeat;
     Wrap wrap_v = Wrap::Repeat;
     Filter filter = Filter::Linear;
@@ -73,7 +73,7 @@ struct ProceduralSource {
     int octaves = 4;        ///< 1 to 10
     float contrast = 0.0f;  ///< -1 to 1; 0 leaves the noise, 1 is a threshold at the balance
     float balance = 0.5f;   ///< 0 to 1; the value that contrast leaves unchanged
-    UvTransform transform;
+    UvTransform transform = {};
     std::vector<RampStop> ramp = {{0.0f, glm::vec3(0.0f)},
                                   {1.0f, glm::vec3(1.0f)}};  ///< 1 to 8, ascending
     bool operator==(const ProceduralSource&) const = default;

@@ -27,7 +27,7 @@ struct Image {
     int channels = 0;  ///< 1 grey, 2 grey+alpha, 3 RGB, 4 RGBA
     SampleType type = SampleType::U8;
     /// width * height * channels * sample_bytes(type); resize() does not clear it.
-    PixelVector<std::byte> data;
+    PixelVector<std::byte> data = {};
 
     std::size_t row_bytes() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(channels) *
