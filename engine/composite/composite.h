@@ -30,7 +30,7 @@ struct TexelRect {
 /// The baked maps that were asked for; the others are null. All are square, `size` texels a side.
 struct MapSet {
     int size = 0;
-    std::array<ImagePtr, kBakedMapCount> maps;
+    std::array<ImagePtr, kBakedMapCount> maps = {};
     const ImagePtr& operator[](BakedMap map) const { return maps[static_cast<std::size_t>(map)]; }
 };
 
@@ -68,8 +68,9 @@ class LiveComposite {
     /// (a brush stroke); only those inside are composited.
     Result<Update> update_within(const TexelRect& within, const Program& program,
                                  ImageProvider& images, int size, const Progress& progress = {});
-    /// The result of the last update. Pixels that someone else still holds never change: hold on
-    /// to a map no longer than needed, and the next update can write in place.
+    /// The result of the last update; empty after one that was cancelled. Pixels that someone else
+    /// still holds never change: hold on to a map no longer than needed, and the next update can
+    /// write in place.
     const MapSet& maps() const;
     std::size_t cache_bytes() const;
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "composite/composite_rect.h"
+
+namespace patina {
+namespace {
+
+BakedMap baked_map_of(Slot slot) {
+    switch (slot) {
+        case Slot::BaseColor:
+            return BakedMap::BaseColor;
+        case Slot::MetallicRoughness:
+        case Slot::Occlusion:
+            return BakedMap::OcclusionRoughnessMetalness;
+        case Slot::Normal:
+            return BakedMap::Normal;
+        case Slot::Emissive:
+            return BakedMap::Emissive;
+    }
+    return BakedMap::BaseColor;
+}
+
+constexpr int kLargestSide = 16384;
+
+}  // namespace
+
+std::vector<BakedMap> maps_of(const Program& program) {
+    std::array<bool, kBakedMapCount> read = {};
+    for (int slot = 0; slot < kSlotCount; ++slot)
+        if (!std::holds_alternative<SlotConstant>(program.slots()[static_cast<std::size_t>(slot)]))
+            read[static_cast<std::size_t>(baked_map_of(static_cast<Slot>(slot)))] = true;
+    std::vector<BakedMap> maps;
+    for (int map = 0; map < kBakedMapCount; ++map)
+        if (read[static_cast<std::size_t>(map)]) maps.push_back(static_cast<BakedMap>(map));
+    return maps;
+}
+
+Result<MapSet> bake_maps(const Program& program, ImageProvider& images, int size,
+                         const std::vector<BakedMap>& wanted, const Progress& progress) {
+    if (size < 1 || size > kLargestSide)
+        return failure("maps of {} texels a side cannot be baked: 1 to {} can", size, kLargestSide);
+    ChannelBits channels = 0;
+    for (const BakedMap map : wanted) channels |= channels_of(map);
+    ReducedImages reduced;
+    const BoundImages bound =
+        bind_images(program.data(), channels, size, images, MissingImages::Wait, reduced);
+    if (!bound.failures.empty()) return failure("{}", bound.failures.front());
+
+    CompositeJob job{
+        .program = &program.data(), .images = &bound, .size = size, .rect = {0, 0, size, size}};
+    MapSet result{.size = size};
+    for (const BakedMap map : wanted) {
+        auto image = std::make_shared<Image>(Image{.width = size, .height = size, .channels = 4});
+        image->data.resize(image->row_bytes() * static_cast<std::size_t>(size));
+        job.targets[static_cast<std::size_t>(map)] = image->data.data();
+        result.maps[static_cast<std::size_t>(map)] = std::move(image);
+    }
+    if (!composite_rect(job, progress)) return failure("baking was cancelled");
+    return result;
+}
+
+}  // namespace patina

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Laying a source on an accumulator, over the planes of one tile, for the instruction set of this
+/// machine. The formulae are those of shaders/shared.
+
+#include "composite/operations.h"
+#include "composite/planes.h"
+
+namespace patina {
+
+struct BlendTask {
+    Channel channel = Channel::BaseColor;
+    BlendMode mode = BlendMode::Normal;
+    bool first = false;  ///< the source replaces the accumulator, whose coverage becomes the weight
+    int count = 0;
+    float* target[3] = {};             ///< the accumulator: component_count(channel) planes
+    float* target_coverage = nullptr;  ///< null where the accumulator is opaque
+    ReadPlane source[3] = {};
+    ReadPlane mask = {};  ///< weight = amount x mask x source_coverage
+    ReadPlane source_coverage = {};
+    float amount = 1.0f;
+};
+void blend_tile(const BlendTask& task);
+
+/// Recodes three planes of colour in place: linear light to sRGB-encoded and back.
+void encode_tile(float* const planes[3], int count);
+void decode_tile(float* const planes[3], int count);
+
+}  // namespace patina

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "composite/bound_images.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace patina {
+namespace {
+
+/// Grey checks of 1/16 of the image: what stands for pixels that are not there.
+ImagePtr placeholder_image() {
+    static const ImagePtr image = [] {
+        Image checker{.width = 16, .height = 16, .channels = 1};
+        checker.data.resize(256);
+        for (std::size_t i = 0; i < 256; ++i)
+            checker.data[i] = static_cast<std::byte>((i + i / 16) % 2 == 0 ? 110 : 140);
+        return std::make_shared<const Image>(std::move(checker));
+    }();
+    return image;
+}
+
+/// Bits, one for each image, of those that an operation on `wanted` reads.
+std::vector<bool> needed_images(const ProgramData& program, ChannelBits wanted) {
+    std::vector<bool> needed(program.images.size(), false);
+    for (const Operation& operation : program.operations) {
+        if ((operation.channels & wanted) == 0) continue;
+        if (operation.code != OpCode::Blend && operation.code != OpCode::MaskEntry) continue;
+        const int image = program.sources[static_cast<std::size_t>(operation.source)].image;
+        if (image >= 0) needed[static_cast<std::size_t>(image)] = true;
+    }
+    return needed;
+}
+
+std::vector<Result<ImagePtr>> fetched_images(const ProgramData& program, ChannelBits wanted,
+                                             ImageProvider& images, MissingImages missing) {
+    const std::vector<bool> needed = needed_images(program, wanted);
+    std::vector<Result<ImagePtr>> fetched(program.images.size(), ImagePtr());
+    parallel_for(0, static_cast<std::int64_t>(needed.size()), 1,
+                 [&](std::int64_t first, std::int64_t last) {
+                     for (std::size_t i = static_cast<std::size_t>(first);
+                          i < static_cast<std::size_t>(last); ++i) {
+                         if (!needed[i]) continue;
+                         const Hash128& hash = program.images[i];
+                         fetched[i] = missing == MissingImages::Wait ? images.pixels(hash)
+                                                                     : images.pixels_if_ready(hash);
+                     }
+                 });
+    return fetched;
+}
+
+/// How many texels of the image one texel of the map spans, along the longer way.
+double footprint(const SourceRecord& record, const Image& image, int size) {
+    const auto span = [&](float u, float v) {
+        return std::hypot(static_cast<double>(u) * image.width,
+                          static_cast<double>(v) * image.height) /
+               size;
+    };
+    return std::max(span(record.to_u.x, record.to_v.x), span(record.to_u.y, record.to_v.y));
+}
+
+/// Halvings that leave a span between 0.75 and 1.5 texels.
+int halvings_for(double texels) {
+    int halvings = 0;
+    for (; texels >= 1.5 && halvings < 14; texels /= 2) ++halvings;
+    return halvings;
+}
+
+BoundImage bound_image(const SourceRecord& record, const Hash128& hash, const ImagePtr& image,
+                       int size, ReducedImages& reduced) {
+    const auto& source = std::get<ImageSource>(record.source);
+    BoundImage bound;
+    bound.image = reduced.reduced(hash, image, source.color_space,
+                                  halvings_for(footprint(record, *image, size)));
+    bound.texel_for_texel = source.transform == UvTransform{} && bound.image->width == size &&
+                            bound.image->height == size;
+    return bound;
+}
+
+}  // namespace
+
+BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size,
+                        ImageProvider& images, MissingImages missing, ReducedImages& reduced) {
+    BoundImages bound;
+    const auto fetched = fetched_images(program, wanted, images, missing);
+    for (const auto& image : fetched)
+        if (!image) bound.failures.push_back(image.error().message);
+    for (const SourceRecord& record : program.sources) {
+        bound.sources.emplace_back();
+        if (record.image < 0) continue;
+        const auto index = static_cast<std::size_t>(record.image);
+        const bool there = fetched[index].has_value() && *fetched[index] != nullptr;
+        if (there)
+            bound.sources.back() =
+                bound_image(record, program.images[index], *fetched[index], size, reduced);
+        else
+            bound.sources.back() = {.image = placeholder_image(), .placeholder = true};
+    }
+    const std::vector<bool> needed = needed_images(program, wanted);
+    for (std::size_t i = 0; i < needed.size(); ++i)
+        bound.waiting |= needed[i] && fetched[i].has_value() && *fetched[i] == nullptr;
+    return bound;
+}
+
+}  // namespace patina

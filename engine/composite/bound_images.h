@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The images of a program, fetched and fitted to one resolution before the tiles run.
+
+#include <string>
+#include <vector>
+
+#include "composite/image_provider.h"
+#include "composite/operations.h"
+#include "composite/reduced_images.h"
+
+namespace patina {
+
+/// How one image source is read.
+struct BoundImage {
+    ImagePtr image;                ///< the original or a smaller copy; null for other sources
+    bool texel_for_texel = false;  ///< it lies on the texels of the map: rows are read as they are
+    bool placeholder = false;      ///< the pixels are not at hand
+};
+
+struct BoundImages {
+    std::vector<BoundImage> sources;    ///< one for each of ProgramData::sources
+    std::vector<std::string> failures;  ///< of images that cannot be decoded
+    bool waiting = false;               ///< some image is still being decoded
+};
+
+enum class MissingImages { Wait, ShowPlaceholder };
+
+/// Binds the images that the channels in `wanted` need at `size` texels a side. With
+/// ShowPlaceholder those that are not at hand become a grey checker.
+BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size,
+                        ImageProvider& images, MissingImages missing, ReducedImages& reduced);
+
+}  // namespace patina

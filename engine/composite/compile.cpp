@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "composite/compile.h"
+
+#include <algorithm>
+
+#include "composite/bake_rules.h"
+#include "composite/source_record.h"
+#include "composite/uniform_values.h"
+
+namespace patina {
+namespace {
+
+constexpr ChannelBits kColorChannels =
+    channel_bit(Channel::BaseColor) | channel_bit(Channel::Emissive);
+
+/// What is known, while operations are emitted, of the accumulators of one stack.
+struct StackState {
+    ChannelBits encoded = 0;
+    ChannelBits touched = 0;
+    Hash128 hash;
+};
+
+class Emitter {
+  public:
+    explicit Emitter(ProgramData& program) : program_(program) {}
+
+    StackState emit_stack(const StackTerms& terms, int depth);
+
+  private:
+    void emit_layer(const LayerTerms& terms, int depth, StackState& state);
+    void emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state);
+    std::int32_t emit_mask(const MaskTerm& mask, Operation like);
+    void emit_blend(const Contribution& contribution, Channel channel, Operation like,
+                    const StackState& state, const StackState& children);
+    std::int32_t add_source(const Source& source, Reading reading);
+    std::int32_t here() const { return static_cast<std::int32_t>(program_.operations.size()); }
+
+    ProgramData& program_;
+};
+
+Reading reading_of(Channel channel, bool encoded) {
+    switch (info(channel).kind) {
+        case ChannelKind::Color:
+            return encoded ? Reading::EncodedColor : Reading::LinearColor;
+        case ChannelKind::Normal:
+            return Reading::Normal;
+        case ChannelKind::Scalar:
+        case ChannelKind::Height:
+            return Reading::Scalar;
+    }
+    return Reading::Scalar;
+}
+
+bool is_identity(const Levels& levels) {
+    return levels == Levels{};
+}
+
+StackState Emitter::emit_stack(const StackTerms& terms, int depth) {
+    StackState state;
+    state.hash = Hasher().add(std::string_view(depth == 0 ? "stack" : "group")).finish();
+    program_.depths = std::max(program_.depths, depth + 1);
+    const std::int32_t begin = here();
+    for (const LayerTerms& layer : terms) {
+        emit_layer(layer, depth, state);
+        state.hash = Hasher().add(state.hash).add(layer_hash(layer, kAllChannels)).finish();
+        program_.checkpoints.push_back({.begin = begin,
+                                        .end = here(),
+                                        .depth = static_cast<std::uint8_t>(depth),
+                                        .top_of_group = depth > 0 && &layer == &terms.back(),
+                                        .encoded = state.encoded,
+                                        .touched = state.touched,
+                                        .hash = state.hash});
+    }
+    return state;
+}
+
+void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) {
+    StackState children;
+    Operation like{.depth = static_cast<std::uint8_t>(depth), .channels = terms.channel_bits()};
+    like.layer = static_cast<std::int32_t>(program_.layers.size());
+    program_.layers.push_back({terms.layer->id, terms.layer->name, depth});
+    emit_recoding(terms, like, state);
+    const std::int32_t mask_end = terms.mask.varies() ? emit_mask(terms.mask, like) : -1;
+    if (terms.mask.varies()) like.flags |= kUsesMask;
+    if (!terms.children.empty()) {
+        Operation begin = like;
+        begin.code = OpCode::GroupBegin;
+        program_.operations.push_back(begin);
+        children = emit_stack(terms.children, depth + 1);
+    }
+    for (const ChannelInfo& entry : kChannels) {
+        const auto& contribution = at(terms.channels, entry.channel);
+        if (!contribution) continue;
+        emit_blend(*contribution, entry.channel, like, state, children);
+        state.touched |= channel_bit(entry.channel);
+    }
+    if (mask_end >= 0) program_.operations[static_cast<std::size_t>(mask_end)].jump = here();
+}
+
+/// Brings the colours that the layer blends into the space in which it blends them. Where nothing
+/// is accumulated yet, the space is only noted.
+void Emitter::emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state) {
+    const bool encoded = terms.layer->blend_space == BlendSpace::SrgbEncoded;
+    for (const Channel channel : {Channel::BaseColor, Channel::Emissive}) {
+        const auto& contribution = at(terms.channels, channel);
+        const ChannelBits bit = channel_bit(channel);
+        if (!contribution || ((state.encoded & bit) != 0) == encoded) continue;
+        state.encoded ^= bit;
+        if ((state.touched & bit) == 0 || contribution->covers) continue;
+        Operation recoding = like;
+        recoding.code = encoded ? OpCode::ToEncoded : OpCode::ToLinear;
+        recoding.channel = channel;
+        recoding.channels = bit;
+        program_.operations.push_back(recoding);
+    }
+}
+
+/// Returns the index of the MaskEnd, whose jump is set when the layer is complete.
+std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
+    const MaskEntry& lowest = *mask.entries.front();
+    const bool whole = lowest.opacity >= 1.0f;
+    const bool first = whole && (lowest.combine == MaskCombine::Replace ||
+                                 (lowest.combine == MaskCombine::Multiply && mask.begin == 1.0f));
+    if (!first) {
+        Operation begin = like;
+        begin.code = OpCode::MaskBegin;
+        begin.amount = mask.begin;
+        program_.operations.push_back(begin);
+    }
+    for (const MaskEntry* entry : mask.entries) {
+        Operation join = like;
+        join.code = OpCode::MaskEntry;
+        join.combine = entry->combine;
+        join.amount = entry->opacity;
+        join.source = add_source(entry->source, Reading::Scalar);
+        if (first && entry == &lowest) join.flags |= kFirst;
+        if (entry->invert) join.flags |= kInvert;
+        if (!is_identity(entry->levels)) {
+            join.flags |= kLevels;
+            program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
+            program_.levels.push_back(entry->levels);
+        }
+        program_.operations.push_back(join);
+    }
+    Operation end = like;
+    end.code = OpCode::MaskEnd;
+    if (mask.invert) end.flags |= kInvert;
+    program_.operations.push_back(end);
+    return here() - 1;
+}
+
+void Emitter::emit_blend(const Contribution& contribution, Channel channel, Operation like,
+                         const StackState& state, const StackState& children) {
+    const ChannelBits bit = channel_bit(channel);
+    const bool encoded = (state.encoded & bit) != 0;
+    like.channel = channel;
+    like.channels = bit;
+    like.mode = contribution.mode;
+    like.amount = contribution.weight;
+    if (encoded) like.flags |= kEncoded;
+    if (contribution.covers || (like.depth > 0 && (state.touched & bit) == 0)) like.flags |= kFirst;
+    if (contribution.source != nullptr) {
+        like.code = OpCode::Blend;
+        like.source = add_source(*contribution.source, reading_of(channel, encoded));
+    } else {
+        like.code = OpCode::BlendGroup;
+        if ((children.encoded & bit) != 0) like.flags |= kChildEncoded;
+    }
+    program_.operations.push_back(like);
+}
+
+std::int32_t Emitter::add_source(const Source& source, Reading reading) {
+    SourceRecord record = source_record(source, reading);
+    if (const auto* const image = std::get_if<ImageSource>(&source)) {
+        const auto found = std::find(program_.images.begin(), program_.images.end(), image->image);
+        record.image = static_cast<std::int32_t>(found - program_.images.begin());
+        if (found == program_.images.end()) program_.images.push_back(image->image);
+    }
+    program_.sources.push_back(std::move(record));
+    return static_cast<std::int32_t>(program_.sources.size()) - 1;
+}
+
+/// The space in which the lowest layer blends decides in which one the bottom is given.
+ChannelBits encoded_at_bottom(const StackTerms& terms) {
+    ChannelBits bits = 0;
+    for (const Channel channel : {Channel::BaseColor, Channel::Emissive}) {
+        const auto layers = layers_of_channel(terms, channel);
+        if (!layers.empty() && layers.front()->layer->blend_space == BlendSpace::SrgbEncoded)
+            bits |= channel_bit(channel);
+    }
+    return bits;
+}
+
+void set_bottom(const StackTerms& terms, ProgramData& program) {
+    program.bottom_encoded = encoded_at_bottom(terms);
+    for (const ChannelInfo& entry : kChannels) {
+        const bool encoded = (program.bottom_encoded & channel_bit(entry.channel)) != 0;
+        const glm::vec3 bottom = stack_bottom(entry.channel);
+        at(program.bottom, entry.channel) = encoded ? encoded_color(bottom) : bottom;
+    }
+}
+
+Hash128 channel_hash(const StackTerms& terms, Channel channel) {
+    Hasher hasher;
+    hasher.add(channel);
+    for (const LayerTerms* layer : layers_of_channel(terms, channel))
+        hasher.add(layer_hash(*layer, channel_bit(channel)));
+    return hasher.finish();
+}
+
+Hash128 slot_hash(const ProgramData& program, const StackTerms& terms, Slot slot) {
+    const auto of = [&](Channel channel) { return at(program.channel_hashes, channel); };
+    switch (slot) {
+        case Slot::BaseColor:
+            return Hasher().add(of(Channel::BaseColor)).add(of(Channel::Opacity)).finish();
+        case Slot::MetallicRoughness:
+            return Hasher().add(of(Channel::Metalness)).add(of(Channel::Roughness)).finish();
+        case Slot::Normal: {
+            Hasher hasher;
+            hasher.add(of(Channel::Normal));
+            if (!is_uniform(terms, Channel::Height))
+                hasher.add(of(Channel::Height)).add(program.height_scale);
+            return hasher.finish();
+        }
+        case Slot::Occlusion:
+            return of(Channel::Occlusion);
+        case Slot::Emissive:
+            return of(Channel::Emissive);
+    }
+    return {};
+}
+
+}  // namespace
+
+ProgramData compile_material(const Material& material, CoveredLayers covered) {
+    const StackTerms terms = stack_terms(material.stack, covered);
+    ProgramData program;
+    set_bottom(terms, program);
+    program.height_scale = material.height_scale;
+    const StackState top = Emitter(program).emit_stack(terms, 0);
+    program.top_encoded = top.touched & top.encoded & kColorChannels;
+    program.touched = top.touched;
+    for (const ChannelInfo& entry : kChannels)
+        at(program.channel_hashes, entry.channel) = channel_hash(terms, entry.channel);
+    for (int slot = 0; slot < kSlotCount; ++slot)
+        program.slot_hashes[static_cast<std::size_t>(slot)] =
+            slot_hash(program, terms, static_cast<Slot>(slot));
+    program.slots = planned_slots(material, terms, program);
+    return program;
+}
+
+}  // namespace patina

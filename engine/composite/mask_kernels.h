@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The mask of a layer, over the plane of one tile.
+
+#include "composite/blend_kernels.h"
+
+namespace patina {
+
+struct MaskTask {
+    float* mask = nullptr;
+    ReadPlane source = {};
+    MaskCombine combine = MaskCombine::Multiply;
+    float opacity = 1.0f;
+    bool first = false;              ///< nothing lies below: the entry is the mask
+    bool invert = false;             ///< of the entry, before its levels
+    const Levels* levels = nullptr;  ///< null: the identity
+    int count = 0;
+};
+/// Joins one entry to the mask.
+void join_mask_tile(const MaskTask& task);
+
+/// Clamps the mask to 0..1 and inverts it where asked. Returns whether any of the `count` texels is
+/// more than 0.
+bool finish_mask_tile(float* mask, bool invert, int count);
+
+void fill_tile(float* plane, float value, int count);
+void copy_tile(const float* from, float* to, int count);
+
+}  // namespace patina

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What a Program consists of: small records in the order in which they run, all plain values, so
+/// that a GPU can later walk the same array.
+///
+/// State that the operations work on, per texel: for each depth of groups an accumulator of the
+/// channels (colour and, inside groups, coverage) and one mask. Depth 0 is the opaque bottom of the
+/// stack.
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "composite/planes.h"
+#include "composite/program.h"
+
+namespace patina {
+
+/// One bit for each channel: `1 << Channel`.
+using ChannelBits = std::uint8_t;
+constexpr ChannelBits channel_bit(Channel channel) {
+    return static_cast<ChannelBits>(1u << static_cast<unsigned>(channel));
+}
+inline constexpr ChannelBits kAllChannels = 0xff;
+
+constexpr bool is_color(Channel channel) {
+    return info(channel).kind == ChannelKind::Color;
+}
+constexpr int component_count(Channel channel) {
+    const ChannelKind kind = info(channel).kind;
+    return kind == ChannelKind::Color || kind == ChannelKind::Normal ? 3 : 1;
+}
+
+enum class OpCode : std::uint8_t {
+    /// The mask of this depth := `amount` everywhere.
+    MaskBegin,
+    /// Joins one entry (source, combine, amount, levels, flags) to the mask of this depth.
+    MaskEntry,
+    /// Clamps the mask (and inverts it); where it is 0 in a whole tile, goes on at `jump`.
+    MaskEnd,
+    /// Recodes the accumulated colour of `channel` for the blend space of the layer to come.
+    ToEncoded,
+    ToLinear,
+    /// Lays a source on the accumulator of `channel`, by `mode` and weight.
+    Blend,
+    /// Clears the accumulators of the next depth, where the children of the group follow.
+    GroupBegin,
+    /// Lays what the next depth accumulated on the accumulator of `channel`.
+    BlendGroup,
+};
+
+/// Flags of an operation.
+enum : std::uint8_t {
+    kUsesMask = 1,       ///< the weight is scaled by the mask of this depth
+    kFirst = 2,          ///< MaskEntry: nothing lies below; the entry is the mask.
+                         ///< Blend: the source replaces the accumulator; its coverage is the weight
+    kInvert = 4,         ///< MaskEntry: of the entry; MaskEnd: of the mask
+    kLevels = 8,         ///< MaskEntry: levels differ from the identity
+    kEncoded = 16,       ///< colours are sRGB-encoded while this blends
+    kChildEncoded = 32,  ///< BlendGroup: the colour that the group accumulated is sRGB-encoded
+};
+
+struct Operation {
+    OpCode code = OpCode::Blend;
+    std::uint8_t depth = 0;
+    std::uint8_t flags = 0;
+    ChannelBits channels = 0;  ///< needed when any of these is wanted
+    Channel channel = Channel::BaseColor;
+    BlendMode mode = BlendMode::Normal;
+    MaskCombine combine = MaskCombine::Multiply;
+    float amount = 1.0f;      ///< weight of a blend, opacity of an entry, value of MaskBegin
+    std::int32_t source = 0;  ///< index into ProgramData::sources
+    std::int32_t jump = 0;    ///< index of an operation
+    std::int32_t layer = 0;   ///< index into ProgramData::layers
+};
+
+/// What a source is read as.
+enum class Reading : std::uint8_t { LinearColor, EncodedColor, Scalar, Normal };
+
+/// A source with everything resolved that does not depend on the resolution.
+struct SourceRecord {
+    Source source = {};
+    Reading reading = Reading::Scalar;
+    std::int32_t image = -1;   ///< index into ProgramData::images, for an ImageSource
+    std::int32_t levels = -1;  ///< index into ProgramData::levels, for a mask entry
+    std::array<UniformPlane, 3> constant = {};  ///< of a ConstantSource, as `reading` says
+    /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.
+    glm::vec3 to_u = glm::vec3(1.0f, 0.0f, 0.0f);
+    glm::vec3 to_v = glm::vec3(0.0f, 1.0f, 0.0f);
+};
+
+/// Whose operations they are, for `explain` and for messages.
+struct LayerRecord {
+    LayerId id = {};
+    std::string name = {};
+    int depth = 0;
+};
+
+/// A place between two layers of one stack: what `hash` covers is all that was accumulated there.
+struct Checkpoint {
+    std::int32_t begin = 0;  ///< first operation of the stack
+    std::int32_t end = 0;    ///< first operation after the layer
+    std::uint8_t depth = 0;
+    bool top_of_group = false;
+    ChannelBits encoded = 0;  ///< colours that are accumulated sRGB-encoded here
+    ChannelBits touched = 0;  ///< channels that the stack has changed so far
+    Hash128 hash = {};
+};
+
+struct ProgramData {
+    std::vector<Operation> operations;
+    std::vector<SourceRecord> sources;
+    std::vector<Levels> levels;
+    std::vector<Hash128> images;
+    std::vector<LayerRecord> layers;
+    std::vector<Checkpoint> checkpoints;  ///< in the order in which they are reached
+    int depths = 1;                       ///< 1 + how deep groups are nested
+    PerChannel<glm::vec3> bottom;         ///< where depth 0 starts, encoded where bottom_encoded
+    ChannelBits bottom_encoded = 0;
+    ChannelBits top_encoded = 0;  ///< colours that are sRGB-encoded in the end
+    ChannelBits touched = 0;      ///< channels that some operation changes
+    float height_scale = 0.0f;
+    PerChannel<Hash128> channel_hashes;
+    std::array<Hash128, kSlotCount> slot_hashes;
+    std::array<SlotPlan, kSlotCount> slots;
+};
+
+}  // namespace patina

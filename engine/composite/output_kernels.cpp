@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "composite/output_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "composite/output_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include "core/formulae/formulae-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace patina::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using formulae::lane_count;
+using formulae::load;
+using formulae::Real;
+using formulae::Real3;
+using formulae::store;
+using formulae::Uint;
+using formulae::UintLanes;
+
+HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
+    return load(plane.data + i * plane.step);
+}
+
+/// 0..1 to the nearest of 0..255; what is outside is held.
+HWY_INLINE Uint byte_of(Real value) {
+    return Uint(formulae::Int(clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f));
+}
+
+template <OutputEncoding kEncoding>
+HWY_INLINE Real3 encoded(Real3 value) {
+    if constexpr (kEncoding == OutputEncoding::LinearColor)
+        return formulae::srgb_from_linear(value);
+    else if constexpr (kEncoding == OutputEncoding::Normal)
+        return formulae::encoded_from_normal(value);
+    else
+        return value;
+}
+
+template <OutputEncoding kEncoding>
+HWY_INLINE Uint rgba_at(const OutputTask& task, std::size_t i) {
+    const Real3 color = encoded<kEncoding>(Real3(
+        load(task.components[0], i), load(task.components[1], i), load(task.components[2], i)));
+    return byte_of(color.x) | (byte_of(color.y) << 8) | (byte_of(color.z) << 16) |
+           (byte_of(load(task.components[3], i)) << 24);
+}
+
+template <OutputEncoding kEncoding>
+HWY_NOINLINE HWY_FLATTEN void write_rgba(const OutputTask& task) {
+    const std::size_t count = static_cast<std::size_t>(task.count);
+    auto* const texels = reinterpret_cast<std::uint32_t*>(task.rgba);
+    std::size_t i = 0;
+    for (; i + lane_count() <= count; i += lane_count())
+        hn::StoreU(rgba_at<kEncoding>(task, i).lanes, UintLanes(), texels + i);
+    if (i == count) return;
+    alignas(64) std::uint32_t last[16];
+    hn::StoreU(rgba_at<kEncoding>(task, i).lanes, UintLanes(), last);
+    __builtin_memcpy(texels + i, last, (count - i) * sizeof(std::uint32_t));
+}
+
+void write_by_encoding(const OutputTask& task) {
+    switch (task.encoding) {
+        case OutputEncoding::AsIs:
+            return write_rgba<OutputEncoding::AsIs>(task);
+        case OutputEncoding::LinearColor:
+            return write_rgba<OutputEncoding::LinearColor>(task);
+        case OutputEncoding::Normal:
+            return write_rgba<OutputEncoding::Normal>(task);
+    }
+}
+
+HWY_INLINE Real3 relief_normal(const ReliefTask& task, std::size_t i) {
+    const Real nw = load(task.above + i), n = load(task.above + i + 1),
+               ne = load(task.above + i + 2);
+    const Real w = load(task.here + i), e = load(task.here + i + 2);
+    const Real sw = load(task.below + i), s = load(task.below + i + 1),
+               se = load(task.below + i + 2);
+    const Real right = formulae::height_slope(nw, w, sw, ne, e, se);
+    const Real up = formulae::height_slope(sw, s, se, nw, n, ne);
+    return formulae::height_normal(right * task.depth_texels, up * task.depth_texels);
+}
+
+HWY_NOINLINE HWY_FLATTEN void add_relief(const ReliefTask& task) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
+        const Real3 detail(load(task.normal[0] + i), load(task.normal[1] + i),
+                           load(task.normal[2] + i));
+        const Real3 bent = formulae::normal_blend_rnm(relief_normal(task, i), detail);
+        store(bent.x, task.normal[0] + i);
+        store(bent.y, task.normal[1] + i);
+        store(bent.z, task.normal[2] + i);
+    }
+}
+
+}  // namespace
+
+}  // namespace patina::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace patina {
+
+HWY_EXPORT(write_by_encoding);
+HWY_EXPORT(add_relief);
+
+void write_tile(const OutputTask& task) {
+    HWY_DYNAMIC_DISPATCH(write_by_encoding)(task);
+}
+
+void add_relief_tile(const ReliefTask& task) {
+    HWY_DYNAMIC_DISPATCH(add_relief)(task);
+}
+
+}  // namespace patina
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Noises with contrast and ramp over the planes of one tile.
+
+#include <cstdint>
+
+#include "document/source.h"
+
+namespace patina {
+
+/// A procedural source at one run of texels of a row: all that is uniform there.
+struct ProceduralTask {
+    int x = 0;          ///< the first texel
+    int count = 0;      ///< of texels
+    float size = 1.0f;  ///< texels a side
+    /// Coordinates of the source at u = 0 in this row, and their change with u.
+    float u_of_row = 0.0f;
+    float v_of_row = 0.0f;
+    float u_per_u = 1.0f;
+    float v_per_u = 0.0f;
+
+    int kind = 0;  ///< NOISE_... of shaders/shared/noise.glsl
+    std::uint32_t seed = 0;
+    int period = 1;  ///< cells across the texture
+    int octaves = 1;
+    float gain = 0.5f;
+    float footprint = 0.0f;  ///< width of a texel in cells
+    float contrast = 0.0f;
+    float balance = 0.5f;
+
+    int stop_count = 1;
+    float stop_positions[kMaxRampStops] = {};
+    float stop_values[kMaxRampStops][3] = {};
+
+    bool scalar = true;      ///< one plane, else three
+    bool encode = false;     ///< colours become sRGB-encoded
+    bool normalise = false;  ///< normals become unit vectors
+};
+void run_procedural(const ProceduralTask& task, float* const planes[3]);
+
+}  // namespace patina

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "composite/run_tile.h"
+
+#include "composite/mask_kernels.h"
+
+namespace patina {
+namespace {
+
+class Runner {
+  public:
+    Runner(const TileRun& run, const TileSpan& span, TilePlanes& planes)
+        : run_(run), program_(*run.program), span_(span), planes_(planes) {}
+
+    void run();
+
+  private:
+    void fill_bottom();
+    std::size_t resumed(std::size_t next);
+    void store_caches(std::size_t next);
+    bool may_jump(const Operation& operation, std::size_t next) const;
+    std::size_t step(const Operation& operation, std::size_t next);
+    void join_mask(const Operation& operation);
+    void clear_group(const Operation& operation);
+    void recode(const Operation& operation);
+    FetchedSource child_source(const Operation& operation);
+    void blend(const Operation& operation, const FetchedSource& source);
+    const SourceRecord& source_of(const Operation& operation) const {
+        return program_.sources[static_cast<std::size_t>(operation.source)];
+    }
+    FetchedSource fetch(const Operation& operation) {
+        return fetch_source(source_of(operation),
+                            run_.images->sources[static_cast<std::size_t>(operation.source)], span_,
+                            planes_);
+    }
+
+    const TileRun& run_;
+    const ProgramData& program_;
+    const TileSpan& span_;
+    TilePlanes& planes_;
+};
+
+void Runner::run() {
+    fill_bottom();
+    const std::size_t end = program_.operations.size();
+    for (std::size_t next = resumed(0); next < end;) {
+        const Operation& operation = program_.operations[next];
+        next = (operation.channels & run_.wanted) == 0 ? next + 1 : step(operation, next);
+        store_caches(next);
+        next = resumed(next);
+    }
+}
+
+void Runner::fill_bottom() {
+    for (const ChannelInfo& entry : kChannels) {
+        if ((run_.wanted & channel_bit(entry.channel)) == 0) continue;
+        const glm::vec3& bottom = at(program_.bottom, entry.channel);
+        for (int k = 0; k < component_count(entry.channel); ++k)
+            fill_tile(planes_.channel(0, entry.channel, k), bottom[k], span_.count);
+    }
+}
+
+/// Where to go on from `next`: past a stack's layers where a cache holds what they accumulate.
+std::size_t Runner::resumed(std::size_t next) {
+    for (const CachePoint& point : run_.caches) {
+        if (!point.read || point.place.begin != static_cast<std::int32_t>(next)) continue;
+        point.cache->load(span_, run_.wanted, planes_);
+        return static_cast<std::size_t>(point.place.end);
+    }
+    return next;
+}
+
+void Runner::store_caches(std::size_t next) {
+    for (const CachePoint& point : run_.caches)
+        if (!point.read && point.place.end == static_cast<std::int32_t>(next))
+            point.cache->store(span_, planes_);
+}
+
+/// Whether nothing between here and the target of the jump is to be stored.
+bool Runner::may_jump(const Operation& operation, std::size_t next) const {
+    for (const CachePoint& point : run_.caches)
+        if (!point.read && point.place.end > static_cast<std::int32_t>(next) &&
+            point.place.end < operation.jump)
+            return false;
+    return true;
+}
+
+std::size_t Runner::step(const Operation& operation, std::size_t next) {
+    switch (operation.code) {
+        case OpCode::MaskBegin:
+            fill_tile(planes_.mask(operation.depth), operation.amount, span_.count);
+            break;
+        case OpCode::MaskEntry:
+            join_mask(operation);
+            break;
+        case OpCode::MaskEnd: {
+            const bool invert = (operation.flags & kInvert) != 0;
+            const bool any = finish_mask_tile(planes_.mask(operation.depth), invert, span_.count);
+            if (!any && !run_.observer && may_jump(operation, next))
+                return static_cast<std::size_t>(operation.jump);
+            break;
+        }
+        case OpCode::ToEncoded:
+        case OpCode::ToLinear:
+            recode(operation);
+            break;
+        case OpCode::Blend:
+            blend(operation, fetch(operation));
+            break;
+        case OpCode::GroupBegin:
+            clear_group(operation);
+            break;
+        case OpCode::BlendGroup:
+            blend(operation, child_source(operation));
+            break;
+    }
+    return next + 1;
+}
+
+void Runner::join_mask(const Operation& operation) {
+    const std::int32_t levels = source_of(operation).levels;
+    join_mask_tile(
+        {.mask = planes_.mask(operation.depth),
+         .source = fetch(operation).components[0],
+         .combine = operation.combine,
+         .opacity = operation.amount,
+         .first = (operation.flags & kFirst) != 0,
+         .invert = (operation.flags & kInvert) != 0,
+         .levels = levels < 0 ? nullptr : &program_.levels[static_cast<std::size_t>(levels)],
+         .count = span_.count});
+}
+
+void Runner::clear_group(const Operation& operation) {
+    const int depth = operation.depth + 1;
+    for (const ChannelInfo& entry : kChannels) {
+        if ((operation.channels & run_.wanted & channel_bit(entry.channel)) == 0) continue;
+        const glm::vec3 bottom = stack_bottom(entry.channel);
+        for (int k = 0; k < component_count(entry.channel); ++k)
+            fill_tile(planes_.channel(depth, entry.channel, k), bottom[k], span_.count);
+        fill_tile(planes_.coverage(depth, entry.channel), 0.0f, span_.count);
+    }
+}
+
+void Runner::recode(const Operation& operation) {
+    float* const color[3] = {planes_.channel(operation.depth, operation.channel, 0),
+                             planes_.channel(operation.depth, operation.channel, 1),
+                             planes_.channel(operation.depth, operation.channel, 2)};
+    operation.code == OpCode::ToEncoded ? encode_tile(color, span_.count)
+                                        : decode_tile(color, span_.count);
+}
+
+/// The accumulators of the group's children, in the blend space of the group.
+FetchedSource Runner::child_source(const Operation& operation) {
+    const int depth = operation.depth + 1;
+    FetchedSource source;
+    float* planes[3] = {};
+    for (int k = 0; k < component_count(operation.channel); ++k) {
+        planes[k] = planes_.channel(depth, operation.channel, k);
+        source.components[k] = {.data = planes[k]};
+    }
+    source.coverage = {.data = planes_.coverage(depth, operation.channel)};
+    const bool encoded = (operation.flags & kEncoded) != 0;
+    if (is_color(operation.channel) && ((operation.flags & kChildEncoded) != 0) != encoded)
+        encoded ? encode_tile(planes, span_.count) : decode_tile(planes, span_.count);
+    return source;
+}
+
+void Runner::blend(const Operation& operation, const FetchedSource& source) {
+    const bool masked = (operation.flags & kUsesMask) != 0;
+    BlendTask task{
+        .channel = operation.channel,
+        .mode = operation.mode,
+        .first = (operation.flags & kFirst) != 0,
+        .count = span_.count,
+        .mask = masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one(),
+        .source_coverage = source.coverage,
+        .amount = operation.amount};
+    for (int k = 0; k < component_count(operation.channel); ++k) {
+        task.target[k] = planes_.channel(operation.depth, operation.channel, k);
+        task.source[k] = source.components[k];
+    }
+    if (operation.depth > 0)
+        task.target_coverage = planes_.coverage(operation.depth, operation.channel);
+    blend_tile(task);
+    if (run_.observer) {
+        const float mask = task.mask.data[0];
+        run_.observer(operation, source, mask * task.amount * source.coverage.data[0], mask,
+                      planes_);
+    }
+}
+
+}  // namespace
+
+void run_tile(const TileRun& run, const TileSpan& span, TilePlanes& planes) {
+    Runner(run, span, planes).run();
+}
+
+}  // namespace patina

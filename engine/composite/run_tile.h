@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Running the operations of a program on one tile.
+
+#include <functional>
+
+#include "composite/prefix_cache.h"
+#include "composite/source_fetch.h"
+
+namespace patina {
+
+/// Called after each Blend and BlendGroup, with what it laid on and the planes as they are now.
+using BlendObserver =
+    std::function<void(const Operation&, const FetchedSource& source, float weight_of_first_texel,
+                       float mask_of_first_texel, TilePlanes& planes)>;
+
+struct TileRun {
+    const ProgramData* program = nullptr;
+    const BoundImages* images = nullptr;
+    ChannelBits wanted = kAllChannels;
+    std::vector<CachePoint> caches = {};  ///< in the order of the operations
+    BlendObserver observer = nullptr;
+};
+
+/// Leaves the wanted channels of the stack in the planes of depth 0.
+void run_tile(const TileRun& run, const TileSpan& span, TilePlanes& planes);
+
+}  // namespace patina

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A stack reduced to what can change the picture: the step before operations are emitted, from
+/// which the bake rules read what a channel consists of.
+
+#include <optional>
+#include <vector>
+
+#include "composite/operations.h"
+#include "document/material.h"
+
+namespace patina {
+
+/// What one layer does to one channel.
+struct Contribution {
+    const Source* source = nullptr;  ///< null: what the children of the group accumulated
+    BlendMode mode = BlendMode::Normal;
+    float weight = 1.0f;  ///< layer opacity x mask, where that is uniform, x channel opacity
+    bool covers = false;  ///< replaces all that lies below, in every texel
+};
+
+/// The entries of a mask that varies, bottom to top; empty where the mask is uniform.
+struct MaskTerm {
+    float begin = 1.0f;  ///< what the first entry joins
+    bool invert = false;
+    std::vector<const MaskEntry*> entries = {};
+    bool varies() const { return !entries.empty(); }
+};
+
+struct LayerTerms {
+    const Layer* layer = nullptr;
+    MaskTerm mask = {};
+    PerChannel<std::optional<Contribution>> channels = {};
+    std::vector<LayerTerms> children = {};  ///< of a group
+
+    ChannelBits channel_bits() const;
+};
+using StackTerms = std::vector<LayerTerms>;
+
+enum class CoveredLayers { Drop, Keep };
+
+/// The layers of a stack, bottom to top, that can change the result. Hidden ones, those of no
+/// weight and (unless kept, for `explain`) those that another one covers are left out. Points into
+/// the layers of `stack`.
+StackTerms stack_terms(const std::vector<LayerPtr>& stack, CoveredLayers covered);
+
+/// The contributions to one channel at the top level, bottom to top.
+std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channel channel);
+
+/// Whether no image or procedural decides the channel.
+bool is_uniform(const StackTerms& terms, Channel channel);
+
+Hash128 source_hash(const Source& source);
+/// Hash of what a layer does to `channels`, its children and mask included.
+Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels);
+
+}  // namespace patina

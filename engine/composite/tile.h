@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The unit of work: a run of texels of one row, with the planes of floats that all operations on
+/// it share. It stays in the first-level cache from the first operation to the last.
+
+#include "composite/operations.h"
+#include "core/pixel_memory.h"
+
+namespace patina {
+
+/// A multiple of 16, the lanes of the widest instruction set.
+inline constexpr int kTileTexels = 512;
+inline constexpr int kMaxLanes = 16;
+
+/// Texels [x, x + count) of row y in a square map of `size` texels a side; 1 <= count <=
+/// kTileTexels. What is computed for a texel depends on its place and on `size` alone.
+struct TileSpan {
+    int x = 0;
+    int y = 0;
+    int count = 0;
+    int size = 0;
+};
+
+/// The planes of one thread, kTileTexels floats each, 64-byte aligned. Lanes beyond `count` of the
+/// span hold anything.
+class TilePlanes {
+  public:
+    explicit TilePlanes(int depths)
+        : memory_(static_cast<std::size_t>(depths * kPlanesPerDepth + kScratchPlanes) *
+                  kTileTexels) {}
+
+    float* channel(int depth, Channel channel, int component = 0) {
+        return plane(depth * kPlanesPerDepth + first_plane(channel) + component);
+    }
+    /// Of the channel inside a group; depth 0 is opaque.
+    float* coverage(int depth, Channel channel) {
+        return plane(depth * kPlanesPerDepth + kComponents + static_cast<int>(channel));
+    }
+    float* mask(int depth) { return plane(depth * kPlanesPerDepth + kPlanesPerDepth - 1); }
+    /// Of the source that an operation reads: up to three components, then its coverage.
+    float* source(int component) { return plane(scratch() + component); }
+    float* source_coverage() { return plane(scratch() + 3); }
+
+  private:
+    static constexpr int kComponents = 14;  ///< of the eight channels
+    static constexpr int kPlanesPerDepth = kComponents + kChannelCount + 1;
+    static constexpr int kScratchPlanes = 4;
+
+    static constexpr int first_plane(Channel channel) {
+        int first = 0;
+        for (const ChannelInfo& entry : kChannels) {
+            if (entry.channel == channel) break;
+            first += component_count(entry.channel);
+        }
+        return first;
+    }
+    int scratch() const { return static_cast<int>(memory_.size()) / kTileTexels - kScratchPlanes; }
+    float* plane(int index) { return memory_.data() + index * kTileTexels; }
+
+    PixelVector<float> memory_;
+};
+
+}  // namespace patina

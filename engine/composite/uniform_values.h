@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The shared formulae on values that are the same in every texel, worked out when a stack is
+/// compiled.
+
+#include <glm/glm.hpp>
+
+#include "document/layer.h"
+
+namespace patina {
+
+/// sRGB-encoded from linear light and back, 0..1; what lies beyond is clamped.
+glm::vec3 encoded_color(const glm::vec3& color_linear);
+glm::vec3 linear_color(const glm::vec3& color_encoded);
+
+/// The mask after `entry`, where it was `below` and the entry's source is `value`.
+float joined_mask_value(float below, const MaskEntry& entry, float value);
+/// The finished mask: clamped to 0..1, then inverted where asked.
+float finished_mask_value(float value, bool invert);
+
+}  // namespace patina
