@@ -2,12 +2,12 @@
 #ifndef SHARED_BLEND_GLSL
 #define SHARED_BLEND_GLSL
 
-// Separable blend modes: B(backdrop, source) for one scalar, one function per mode, all of one shape.
-// How much of the result is laid over the backdrop is decided afterwards, in compositing.glsl.
+// Separable blend modes: B(backdrop, source) for one scalar, one function per mode, all of one
+// shape. How much of it is laid over the backdrop is decided afterwards, in compositing.glsl.
 //
 // backdrop, source: in the channel's blend space (sRGB-encoded or linear colour, plain scalars).
-// Every mode maps 0..1 x 0..1 into 0..1, but for add, which may exceed 1, and subtract, which may go
-// below 0: where the channel's range ends there, the caller clamps once, at the end of the stack.
+// Every mode maps 0..1 x 0..1 into 0..1, but for add, which may exceed 1, and subtract, which may
+// go below 0: a caller whose channel ends there clamps once, at the end of the stack.
 //
 // "W3C" is W3C Compositing and Blending Level 1, https://www.w3.org/TR/compositing-1/#blending,
 // which gives the definitions of ISO 32000 (PDF). The others are those of Adobe Photoshop, as
@@ -18,7 +18,7 @@ Real blend_normal(Real backdrop, Real source) {
     return source;
 }
 
-/// Multiply. W3C #blendingmultiply. Commutative; 1 is neutral, 0 gives 0; never brighter than either.
+/// Multiply. W3C #blendingmultiply. Commutative; 1 is neutral; never brighter than either.
 Real blend_multiply(Real backdrop, Real source) {
     return backdrop * source;
 }

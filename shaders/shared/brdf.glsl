@@ -99,7 +99,7 @@ Real visibility_smith_separable(Real n_dot_l, Real n_dot_v, Real alpha) {
 }
 
 /// Smith, masking and shadowing correlated by height. Eric Heitz, "Understanding the
-/// masking-shadowing function in microfacet-based BRDFs", JCGT 2014. Never below the separable form.
+/// masking-shadowing function in microfacet-based BRDFs", 2014. Never below the separable form.
 Real visibility_smith_correlated(Real n_dot_l, Real n_dot_v, Real alpha) {
     Real alpha2 = alpha * alpha;
     Real masking = n_dot_l * sqrt(alpha2 + (1.0f - alpha2) * n_dot_v * n_dot_v);

@@ -5,8 +5,8 @@
 #include "shared/brdf.glsl"
 #include "shared/transcendental.glsl"
 
-// Light from all around: which direction a texel stands for, spherical harmonics, and what the split
-// sum adds up. Directions are unit vectors in the world: +Y up, right-handed.
+// Light from all around: which direction a texel stands for, spherical harmonics, and what the
+// split sum adds up. Directions are unit vectors in the world: +Y up, right-handed.
 
 /// Where a direction reads an equirectangular map: u = 0.5 + atan2(z, x) / 2pi to the right,
 /// v = acos(y) / pi from the top row, both 0..1. The centre lies towards +X.
@@ -35,8 +35,8 @@ Real3 cube_direction(int face, Real s, Real t) {
     return Real3(-s, -t, -1.0f);
 }
 
-/// The solid angle of a texel at (s, t) of a face of `size` texels a side. Summed over a cube: 4 pi,
-/// but for 1 / size^2.
+/// The solid angle of a texel at (s, t) of a face of `size` texels a side. Summed over a cube it is
+/// 4 pi, but for 1 / size^2.
 Real cube_texel_solid_angle(Real s, Real t, float size) {
     Real distance2 = 1.0f + s * s + t * t;
     return (4.0f / (size * size)) / (distance2 * sqrt(distance2));
@@ -65,7 +65,7 @@ Sh9 sh9_basis(Real3 d) {
 }
 
 /// Irradiance / pi on a surface that faces the direction whose basis is given, from the projection
-/// of radiance onto the basis: the convolution with a clamped cosine. Uniform radiance gives itself.
+/// of radiance onto the basis: a convolution with the cosine. Uniform radiance gives itself.
 Real sh9_irradiance_over_pi(Sh9 radiance, Sh9 basis) {
     Real order0 = radiance.value[0] * basis.value[0];
     Real order1 = radiance.value[1] * basis.value[1] + radiance.value[2] * basis.value[2] +

@@ -2,8 +2,8 @@
 #ifndef SHARED_NOISE_GLSL
 #define SHARED_NOISE_GLSL
 
-// Noises on a lattice of unit cells, 0..1, tiling after `period` cells in x and in y. The lattice is
-// hashed in integers, so that a seed gives the same noise on every machine; seeds are unrelated.
+// Noises on a lattice of unit cells, 0..1, tiling after `period` cells in x and in y. The lattice
+// is hashed in integers, so that a seed gives the same noise on every machine; seeds are unrelated.
 //
 // position: in cells, |position| < 2^20; period: 1 to 2^20 whole cells.
 
@@ -182,8 +182,8 @@ Real fbm(int kind, Real2 position, int period, uint seed, int octaves, float gai
         float shown = strength * octave_visibility(footprint * frequency);
         float mean = noise_mean(kind);
         if (shown > 0.0f) {
-            Real value = noise(kind, position * frequency, period << octave,
-                               derived_seed(seed, octave));
+            Real value =
+                noise(kind, position * frequency, period << octave, derived_seed(seed, octave));
             sum = sum + shown * (value - mean);
         }
         total = total + strength;

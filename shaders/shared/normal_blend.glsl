@@ -50,8 +50,7 @@ Real3 normal_blend_udn(Real3 backdrop, Real3 source) {
 
 /// Whiteout: slopes add and heights multiply. Commutative; flat is neutral.
 Real3 normal_blend_whiteout(Real3 backdrop, Real3 source) {
-    return unit_normal(
-        Real3(backdrop.x + source.x, backdrop.y + source.y, backdrop.z * source.z));
+    return unit_normal(Real3(backdrop.x + source.x, backdrop.y + source.y, backdrop.z * source.z));
 }
 
 #endif

@@ -27,7 +27,7 @@ Real blinn_phong_lobe(Real n_dot_h, Real n_dot_l, Real exponent) {
 
 // The conversion from a metal-roughness material. A highlight is as wide as GGX's: at the angle
 // where the lobe has fallen to one half, so has GGX's distribution D,
-//   (cos^2 (alpha^2 - 1) + 1)^2 = 2 alpha^4,  so  tan^2 = alpha^2 (sqrt 2 - 1) / (1 - sqrt 2 alpha^2).
+//   (cos^2 (a^2 - 1) + 1)^2 = 2 a^4,  so  tan^2 = a^2 (sqrt 2 - 1) / (1 - sqrt 2 a^2),  a: alpha.
 // From alpha^2 = 1 / sqrt 2 (roughness 0.92) GGX never falls so far; there the exponent is 1, its
 // least. Its greatest is 1e6 (roughness 0.043).
 
@@ -58,8 +58,8 @@ Real phong_exponent(Real roughness) {
 }
 
 /// How strongly a lobe shines: a normalised one's peak (E + 8) / 8 of the Blinn-Phong exponent E
-/// (Hoffman, "Real-time rendering", 2008), by f0, but held to 1 in every channel together, because a
-/// fixed-function colour ends there; the hue stays.
+/// (Hoffman, "Real-time rendering", 2008), by f0, but held to 1 in every channel together, because
+/// a fixed-function colour ends there; the hue stays.
 Real3 phong_specular_color(Real3 f0, Real roughness) {
     Real peak = (blinn_phong_exponent(roughness) + 8.0f) * 0.125f;
     Real brightest = max(max(f0.x, f0.y), max(f0.z, 1e-4f));

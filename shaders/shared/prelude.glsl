@@ -11,9 +11,21 @@
 #define Int int
 #define Uint uint
 
-float select(bool condition, float if_true, float if_false) { return condition ? if_true : if_false; }
-vec2 select(bool condition, vec2 if_true, vec2 if_false) { return condition ? if_true : if_false; }
-vec3 select(bool condition, vec3 if_true, vec3 if_false) { return condition ? if_true : if_false; }
-vec4 select(bool condition, vec4 if_true, vec4 if_false) { return condition ? if_true : if_false; }
-int select(bool condition, int if_true, int if_false) { return condition ? if_true : if_false; }
-uint select(bool condition, uint if_true, uint if_false) { return condition ? if_true : if_false; }
+float select(bool condition, float if_true, float if_false) {
+    return condition ? if_true : if_false;
+}
+vec2 select(bool condition, vec2 if_true, vec2 if_false) {
+    return condition ? if_true : if_false;
+}
+vec3 select(bool condition, vec3 if_true, vec3 if_false) {
+    return condition ? if_true : if_false;
+}
+vec4 select(bool condition, vec4 if_true, vec4 if_false) {
+    return condition ? if_true : if_false;
+}
+int select(bool condition, int if_true, int if_false) {
+    return condition ? if_true : if_false;
+}
+uint select(bool condition, uint if_true, uint if_false) {
+    return condition ? if_true : if_false;
+}

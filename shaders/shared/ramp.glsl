@@ -33,8 +33,8 @@ Real3 ramp_color(Ramp ramp, Real t) {
     Real3 value = Real3(ramp.stops[0].x, ramp.stops[0].y, ramp.stops[0].z);
     for (int i = 1; i < ramp.count; ++i) {
         Real3 next = Real3(ramp.stops[i].x, ramp.stops[i].y, ramp.stops[i].z);
-        value = mix(value, next,
-                    ramp_progress(t, ramp.stops[i - 1].position, ramp.stops[i].position));
+        value =
+            mix(value, next, ramp_progress(t, ramp.stops[i - 1].position, ramp.stops[i].position));
     }
     return value;
 }

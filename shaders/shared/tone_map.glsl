@@ -4,8 +4,8 @@
 
 #include "shared/transcendental.glsl"
 
-// From scene to display: exposed linear Rec. 709 radiance, 0 and up, to linear light 0..1 of an sRGB
-// display, still to be encoded. All map black to black, and brighter greys to brighter greys.
+// From scene to display: exposed linear Rec. 709 radiance, 0 and up, to linear light 0..1 of an
+// sRGB display, still to be encoded. All map black to black, and brighter greys to brighter greys.
 
 // In the order of ToneMap in engine/render/view.h.
 const int TONE_MAP_NONE = 0;

@@ -31,6 +31,11 @@ void run_probe_in_lanes(int which, const float* const* in, float* const* out, st
     }
 }
 
+/// The instruction set that dispatch has picked.
+std::int64_t running_target() {
+    return HWY_TARGET;
+}
+
 }  // namespace patina::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -41,6 +46,7 @@ HWY_AFTER_NAMESPACE();
 #include <cstring>
 
 #include "core/formulae/formulae.h"
+#include "core/hash.h"
 #include "shaders/probes.h"
 
 namespace patina {
@@ -54,6 +60,7 @@ namespace {
 namespace {
 
 HWY_EXPORT(run_probe_in_lanes);
+HWY_EXPORT(running_target);
 
 using ProbeResults = std::array<std::vector<float>, 4>;
 
@@ -105,6 +112,7 @@ TEST(Lanes, EveryInstructionSetGivesTheBitsOfOneValueAtATime) {
     int sets_run = 0;
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         hwy::SetSupportedTargetsForTest(target);
+        ASSERT_EQ(HWY_DYNAMIC_DISPATCH(running_target)(), target) << hwy::TargetName(target);
         for (int which = 0; which < kProbeCount; ++which)
             EXPECT_EQ(differing_bits(expected[which], results_in_lanes(which)), 0)
                 << kProbes[which].name << " on " << hwy::TargetName(target);
@@ -112,6 +120,15 @@ TEST(Lanes, EveryInstructionSetGivesTheBitsOfOneValueAtATime) {
     }
     hwy::SetSupportedTargetsForTest(0);
     EXPECT_GE(sets_run, 1);
+}
+
+TEST(Lanes, EveryCompilerAndMachineGivesThePinnedBits) {
+    // Changes with any formula or probe: a change that was not meant to move a texel moved one.
+    Hasher hasher;
+    for (int which = 0; which < kProbeCount; ++which)
+        for (const std::vector<float>& values : results_one_by_one(which))
+            for (const float value : values) hasher.add(value);
+    EXPECT_EQ(to_hex(hasher.finish()), "f78c3b811fdd7d61197fa7b93b4b6856");
 }
 
 TEST(Lanes, EveryProbeInTheTableIsAProbeOfTheText) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls of the shared formulae, as a text that is GLSL and C++ like they are: lanes_test.cpp runs it
-// over SIMD lanes and one value at a time, gpu_test.cpp in a fragment shader, and both compare.
+// Calls of the shared formulae, as a text that is GLSL and C++ like they are: lanes_test.cpp runs
+// it over SIMD lanes and one value at a time, gpu_test.cpp in a fragment shader, and both compare.
 // probes.h names the probes in this order and says how far the GPU may be off.
 #ifndef PROBES_GLSL
 #define PROBES_GLSL
