@@ -104,7 +104,8 @@ Pass::Pass(const PassDescription& description)
     glBindFramebuffer(GL_FRAMEBUFFER, description.target ? description.target->name() : 0);
     glViewport(area.offset.x, area.offset.y, area.size.x, area.size.y);
     glEnable(GL_SCISSOR_TEST);  // clears know no viewport
-    glScissor(area.offset.x, area.offset.y, area.size.x, area.size.y);
+    const Viewport touched = description.scissor.value_or(area);
+    glScissor(touched.offset.x, touched.offset.y, touched.size.x, touched.size.y);
     apply_constants();
     // Masks hold for clears too, so these come before the state that the pass draws with.
     apply({.encode_srgb = state_.encode_srgb});

@@ -58,6 +58,7 @@ struct PassDescription {
     std::string label;
     const Framebuffer* target = nullptr;  // null: the window
     std::optional<Viewport> viewport{};   // nothing outside is touched; the window needs one
+    std::optional<Viewport> scissor{};    // nothing outside is touched; the viewport unless given
     State state{};
     std::vector<glm::vec4> clear_colors{};  // one for each target to clear, from the first; linear
     std::optional<float> clear_depth{};

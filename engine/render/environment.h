@@ -23,10 +23,11 @@
 namespace patina::render {
 
 /// A cube map in half floats: faces +X -X +Y -Y +Z -Z with OpenGL's orientation, rows from t = 0,
-/// RGB. levels[i] is face_size >> i texels a side.
+/// RGBA with alpha 1. levels[i] is face_size >> i texels a side.
+inline constexpr std::size_t kHalfCubeChannels = 4;
 struct HalfCube {
     int face_size = 0;
-    std::vector<std::vector<std::uint16_t>> levels;  ///< 6 * side * side * 3 values each
+    std::vector<std::vector<std::uint16_t>> levels;  ///< 6 * side * side * kHalfCubeChannels each
     std::size_t bytes() const;
 };
 

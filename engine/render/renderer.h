@@ -81,6 +81,8 @@ struct PictureSize {
 };
 inline constexpr int kMaxPictureSide = 16384;
 
+struct RendererState;  // renderer_state.h
+
 class Renderer {
   public:
     /// Compiles the programs (shaders are found by resource_folder). Needs OpenGL 4.1 core.
@@ -135,9 +137,8 @@ class Renderer {
     const Bounds& bounds_world() const;
 
   private:
-    struct State;
-    explicit Renderer(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit Renderer(std::unique_ptr<RendererState> state);
+    std::unique_ptr<RendererState> state_;
 };
 
 }  // namespace patina::render

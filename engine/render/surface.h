@@ -20,7 +20,7 @@ struct SurfaceTexture {
     ImagePtr pixels;  ///< null: no texture, every texel is 1 (a flat normal in the normal slot)
     bool srgb = false;
     int uv_set = 0;
-    UvTransform transform;
+    UvTransform transform = {};
     Wrap wrap_u = Wrap::Repeat;
     Wrap wrap_v = Wrap::Repeat;
     Filter filter = Filter::Linear;

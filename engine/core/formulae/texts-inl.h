@@ -7,6 +7,7 @@
 #undef SHARED_COLOR_GLSL
 #undef SHARED_COMPOSITING_GLSL
 #undef SHARED_ENVIRONMENT_GLSL
+#undef SHARED_HEAT_MAP_GLSL
 #undef SHARED_HEIGHT_GLSL
 #undef SHARED_MASK_GLSL
 #undef SHARED_NOISE_GLSL
@@ -21,6 +22,7 @@
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
 #include "shared/environment.glsl"
+#include "shared/heat_map.glsl"
 #include "shared/height.glsl"
 #include "shared/mask.glsl"
 #include "shared/noise.glsl"

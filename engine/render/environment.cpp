@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "render/environment.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "core/formulae/formulae.h"
+#include "core/parallel.h"
+#include "render/radiance_cube.h"
+#include "render/radiance_map.h"
+
+namespace patina::render {
+namespace {
+
+constexpr float kLargestHalf = 65504.0f;
+constexpr int kSpecularLevels = 6;
+
+/// What the two qualities cost.
+struct FilterSettings {
+    int largest_face;
+    unsigned samples;  ///< a texel of the rougher levels
+    int diffuse_face;
+    int diffuse_map_width;  ///< the map is halved to this before it is convolved with a cosine
+};
+FilterSettings settings_of(FilterQuality quality) {
+    switch (quality) {
+        case FilterQuality::First:
+            return {128, 32, 16, 64};
+        case FilterQuality::Finished:
+            break;
+    }
+    return {512, 256, 32, 128};
+}
+
+/// Texels of the cube as fine as those of the map, which go four times round the horizon.
+int face_size_for(const RadianceMap& map, int largest_face) {
+    const auto wanted = static_cast<unsigned>(std::max(1, map.width / 4));
+    return std::clamp(static_cast<int>(std::bit_ceil(wanted)), 64, largest_face);
+}
+
+void pack(const glm::vec3& radiance, std::uint16_t* out) {
+    const glm::vec3 finite = glm::min(radiance, kLargestHalf);
+    out[0] = glm::packHalf1x16(finite.x);
+    out[1] = glm::packHalf1x16(finite.y);
+    out[2] = glm::packHalf1x16(finite.z);
+    out[3] = glm::packHalf1x16(1.0f);
+}
+
+/// Calls `radiance(direction)` for every texel of a level and packs what it returns.
+template <typename Radiance>
+std::vector<std::uint16_t> packed_level(int side, const Progress& progress,
+                                        const Radiance& radiance) {
+    std::vector<std::uint16_t> level(static_cast<std::size_t>(kCubeFaces) *
+                                     static_cast<std::size_t>(side) *
+                                     static_cast<std::size_t>(side) * kHalfCubeChannels);
+    parallel_for(0, std::int64_t{kCubeFaces} * side, 4, [&](std::int64_t first, std::int64_t last) {
+        if (progress.cancelled()) return;
+        for (std::int64_t row = first; row < last; ++row)
+            for (int x = 0; x < side; ++x) {
+                const auto texel = static_cast<std::size_t>(row * side + x);
+                const glm::vec3 direction = cube_texel_direction(static_cast<int>(row / side), side,
+                                                                 x, static_cast<int>(row % side));
+                pack(radiance(direction), level.data() + texel * kHalfCubeChannels);
+            }
+    });
+    return level;
+}
+
+/// What a half float cannot hold goes to the texels around it in equal parts, until none is too
+/// bright: the sharp level keeps the power of a sun. Faces are apart; a sun on an edge keeps its
+/// share on each.
+void spread_peaks(CubeLevel& level) {
+    for (int round = 0; round < 64; ++round) {
+        bool found = false;
+        for (int face = 0; face < kCubeFaces; ++face)
+            for (int y = 0; y < level.side; ++y)
+                for (int x = 0; x < level.side; ++x) {
+                    glm::vec4& texel = level.texels[level.index(face, x, y)];
+                    const glm::vec4 excess = glm::max(texel - kLargestHalf, glm::vec4(0.0f));
+                    if (excess == glm::vec4(0.0f)) continue;
+                    found = true;
+                    texel -= excess;
+                    for (int dy = -1; dy <= 1; ++dy)
+                        for (int dx = -1; dx <= 1; ++dx) {
+                            const int nx = std::clamp(x + dx, 0, level.side - 1);
+                            const int ny = std::clamp(y + dy, 0, level.side - 1);
+                            if (nx == x && ny == y) continue;
+                            level.texels[level.index(face, nx, ny)] += excess / 8.0f;
+                        }
+                }
+        if (!found) return;
+    }
+}
+
+std::vector<std::uint16_t> sharp_level(CubeLevel level, const Progress& progress) {
+    spread_peaks(level);
+    return packed_level(level.side, progress, [&](const glm::vec3& direction) {
+        return radiance_from(level, direction);
+    });
+}
+
+/// A direction of the GGX lobe about z for n = v = r, its share of the lobe, and the level of the
+/// source whose texels are as large as the part of the lobe that it stands for.
+struct LobeSample {
+    glm::vec3 direction;
+    float weight;
+    std::size_t level;
+};
+
+/// Filtered importance sampling. J. Krivanek and M. Colbert, "Real-time shading with filtered
+/// importance sampling", 2008: each sample reads a level as coarse as the sample is rare, and one
+/// more, so that neighbours overlap.
+std::vector<LobeSample> ggx_lobe(float roughness, unsigned count, int face_size,
+                                 std::size_t levels) {
+    const float alpha = formulae::alpha_from_roughness(roughness);
+    const float texel_angle =
+        4.0f * glm::pi<float>() /
+        (6.0f * static_cast<float>(face_size) * static_cast<float>(face_size));
+    std::vector<LobeSample> samples;
+    float total = 0.0f;
+    for (unsigned i = 0; i < count; ++i) {
+        formulae::Real2 u = formulae::hammersley(i, count);
+        u.y = u.y * (1.0f - 1.0f / static_cast<float>(count)) + 0.5f / static_cast<float>(count);
+        const formulae::Real3 h = formulae::sample_ggx_half_vector(u, alpha);
+        const glm::vec3 l(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
+        if (l.z <= 0.0f) continue;
+        const float density = 0.25f * formulae::distribution_ggx(h.z, alpha);
+        const float sample_angle = 1.0f / (static_cast<float>(count) * density);
+        const float level = 0.5f * std::log2(sample_angle / texel_angle) + 1.0f;
+        samples.push_back({l, l.z,
+                           static_cast<std::size_t>(
+                               std::clamp(level + 0.5f, 0.0f, static_cast<float>(levels - 1)))});
+        total += l.z;
+    }
+    for (LobeSample& sample : samples) sample.weight /= total;
+    return samples;
+}
+
+/// Columns: any two directions across n, and n. Duff and others, "Building an orthonormal basis,
+/// revisited", JCGT 2017.
+glm::mat3 frame_about(const glm::vec3& n) {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    return {
+        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+HalfCube filter_specular(const RadianceCube& source, const FilterSettings& settings,
+                         const Progress& progress) {
+    HalfCube cube{source[0].side, {}};
+    cube.levels.push_back(sharp_level(source[0], progress));
+    for (int i = 1; i < kSpecularLevels; ++i) {
+        const float roughness =
+            prefiltered_roughness(static_cast<float>(i) / (kSpecularLevels - 1));
+        const std::vector<LobeSample> lobe =
+            ggx_lobe(roughness, settings.samples, source[0].side, source.size());
+        cube.levels.push_back(
+            packed_level(source[0].side >> i, progress, [&](const glm::vec3& normal) {
+                const glm::mat3 world_from_lobe = frame_about(normal);
+                glm::vec3 sum(0.0f);
+                for (const LobeSample& sample : lobe)
+                    sum += sample.weight *
+                           radiance_from(source[sample.level], world_from_lobe * sample.direction);
+                return sum;
+            }));
+        progress.report(static_cast<float>(i) / kSpecularLevels);
+    }
+    return cube;
+}
+
+/// A texel of a small map as a light: direction, and radiance x solid angle.
+struct TexelLight {
+    glm::vec3 direction;
+    glm::vec3 power;
+};
+
+std::vector<TexelLight> texel_lights(const RadianceMap& map) {
+    std::vector<TexelLight> lights;
+    lights.reserve(map.texels.size());
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            lights.push_back(
+                {direction_at((static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
+                              (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height)),
+                 texel_solid_angle(map, y) * map.at(x, y)});
+    return lights;
+}
+
+/// Each texel of the map is summed under the cosine: no spherical harmonics, which ring beside a
+/// sun.
+HalfCube filter_diffuse(const std::vector<TexelLight>& lights, int face_size,
+                        const Progress& progress) {
+    HalfCube cube{face_size, {}};
+    cube.levels.push_back(packed_level(face_size, progress, [&](const glm::vec3& normal) {
+        glm::vec3 sum(0.0f);
+        for (const TexelLight& light : lights)
+            sum += std::max(glm::dot(light.direction, normal), 0.0f) * light.power;
+        return sum / glm::pi<float>();
+    }));
+    return cube;
+}
+
+float luminance(const glm::vec3& linear) {
+    return formulae::luminance({linear.x, linear.y, linear.z});
+}
+
+/// Half the angle of the cone around the brightest direction that becomes the key light.
+constexpr float kKeyConeCosine = 0.9f;  // 26 degrees
+
+/// Splits the map into its strongest directional light and what is left, spread evenly.
+void split_for_traditional_models(const std::vector<TexelLight>& lights,
+                                  FilteredEnvironment& environment) {
+    const auto strength_around = [&](const glm::vec3& axis) {
+        float sum = 0.0f;
+        for (const TexelLight& light : lights)
+            if (glm::dot(light.direction, axis) > kKeyConeCosine) sum += luminance(light.power);
+        return sum;
+    };
+    glm::vec3 total(0.0f);
+    glm::vec3 axis(0.0f, 1.0f, 0.0f);
+    float strongest = -1.0f;
+    for (const TexelLight& light : lights) {
+        total += light.power;
+        const float strength = strength_around(light.direction);
+        if (strength > strongest) {
+            strongest = strength;
+            axis = light.direction;
+        }
+    }
+    const glm::vec3 mean = total / (4.0f * glm::pi<float>());
+    glm::vec3 key(0.0f);
+    glm::vec3 direction(0.0f);
+    float cone = 0.0f;
+    for (const TexelLight& light : lights) {
+        if (glm::dot(light.direction, axis) <= kKeyConeCosine) continue;
+        key += light.power;
+        direction += luminance(light.power) * light.direction;
+        cone += luminance(light.power);
+    }
+    // Only what stands out of the mean is a light of its own.
+    const float cone_angle = glm::two_pi<float>() * (1.0f - kKeyConeCosine);
+    key = glm::max(key - mean * cone_angle, glm::vec3(0.0f));
+    environment.ambient_linear = (total - key) / (4.0f * glm::pi<float>());
+    environment.key_irradiance_linear = key;
+    environment.key_direction_world = cone > 0.0f && glm::length(direction) > 0.0f
+                                          ? -glm::normalize(direction)
+                                          : glm::vec3(0.0f, -1.0f, 0.0f);
+}
+
+}  // namespace
+
+std::size_t HalfCube::bytes() const {
+    std::size_t values = 0;
+    for (const std::vector<std::uint16_t>& level : levels) values += level.size();
+    return values * sizeof(std::uint16_t);
+}
+
+float prefiltered_level_share(float roughness) {
+    return formulae::prefiltered_level_share(roughness);
+}
+
+float prefiltered_roughness(float level_share) {
+    return formulae::prefiltered_roughness(level_share);
+}
+
+Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQuality quality,
+                                               const Progress& progress) {
+    const FilterSettings settings = settings_of(quality);
+    Result<RadianceMap> map = radiance_map(equirect);
+    if (!map) return passed_on(map);
+
+    FilteredEnvironment environment;
+    environment.source = content_hash(equirect);
+    environment.quality = quality;
+    const int face_size = face_size_for(*map, settings.largest_face);
+    RadianceMap reduced = reduced_to_width(std::move(*map), 4 * face_size);
+    const RadianceCube cube = radiance_cube(reduced, face_size);
+    environment.specular = filter_specular(cube, settings, progress);
+
+    reduced = reduced_to_width(std::move(reduced), settings.diffuse_map_width);
+    environment.diffuse = filter_diffuse(texel_lights(reduced), settings.diffuse_face, progress);
+    constexpr int kKeySearchWidth = 32;
+    split_for_traditional_models(
+        texel_lights(reduced_to_width(std::move(reduced), kKeySearchWidth)), environment);
+    if (progress.cancelled()) return failure("filtering the environment was cancelled");
+    progress.report(1.0f);
+    return environment;
+}
+
+std::vector<glm::vec2> environment_brdf_table(int size) {
+    constexpr unsigned kSamples = 256;
+    std::vector<glm::vec2> table(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    parallel_for(0, size, 2, [&](std::int64_t first, std::int64_t last) {
+        for (std::int64_t j = first; j < last; ++j)
+            for (int i = 0; i < size; ++i) {
+                const float n_dot_v = (static_cast<float>(i) + 0.5f) / static_cast<float>(size);
+                const float alpha = formulae::alpha_from_roughness((static_cast<float>(j) + 0.5f) /
+                                                                   static_cast<float>(size));
+                glm::vec2 sum(0.0f);
+                for (unsigned s = 0; s < kSamples; ++s) {
+                    const formulae::Real2 term = formulae::split_sum_sample(
+                        formulae::GEOMETRY_SMITH_SEPARABLE, formulae::hammersley(s, kSamples),
+                        n_dot_v, alpha);
+                    sum += glm::vec2(term.x, term.y);
+                }
+                table[static_cast<std::size_t>(j * size + i)] = sum / float{kSamples};
+            }
+    });
+    return table;
+}
+
+}  // namespace patina::render

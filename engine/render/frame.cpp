@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "render/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace patina::render {
+namespace {
+
+bool shows_blended(const RendererState& state, const View& view) {
+    return view.channel == ChannelView::Final &&
+           std::any_of(state.scene->items.begin(), state.scene->items.end(),
+                       [&](const DrawItem& item) {
+                           return state.materials.at(item.source_material).surface.alpha_mode ==
+                                  AlphaMode::Blend;
+                       });
+}
+
+/// In a channel view blended surfaces are drawn as the nearest surface.
+SurfaceSet surfaces_of(const View& view) {
+    return view.channel == ChannelView::Final ? SurfaceSet::Opaque : SurfaceSet::All;
+}
+
+/// Lights the deferred radiance, draws the blended surfaces over it, and finishes the picture.
+Status draw_side_with_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
+                              const LightingInputs& inputs, const PictureTarget& target) {
+    Result<gl::Framebuffer*> radiance = state.radiance.at(camera.size);
+    if (!radiance) return passed_on(radiance);
+    gl::copy_depth(*inputs.gbuffer, **radiance);
+    View bare = side.view;
+    bare.background.kind = Background::Kind::Transparent;
+    const SideView bare_side{bare, side.shading, side.side};
+    const PictureTarget local{
+        .framebuffer = *radiance,
+        .area = {target.area.offset - target.picture_offset, target.area.size},
+        .output = OutputMode::Radiance};
+    if (Status done = draw_lighting(state, bare_side, camera, inputs, local); !done) return done;
+    if (Status done = draw_blended(state, bare_side, camera, local); !done) return done;
+    return draw_post(state, side, camera, **radiance, target);
+}
+
+Status draw_side(RendererState& state, const SideView& side, const FrameCamera& camera,
+                 const LightingInputs& inputs, const PictureTarget& target) {
+    if (shows_blended(state, side.view))
+        return draw_side_with_blended(state, side, camera, inputs, target);
+    return draw_lighting(state, side, camera, inputs, target);
+}
+
+Result<LightingInputs> draw_inputs(RendererState& state, const View& view,
+                                   const FrameCamera& camera) {
+    if (const std::optional<Inspected> inspected = inspected_for(view.channel)) {
+        const Result<gl::Framebuffer*> target = draw_inspection(state, view, camera, *inspected);
+        if (!target) return passed_on(target);
+        return LightingInputs{.inspection = *target};
+    }
+    const Result<gl::Framebuffer*> gbuffer =
+        draw_gbuffer(state, state.gbuffer, view, camera, surfaces_of(view));
+    if (!gbuffer) return passed_on(gbuffer);
+    return LightingInputs{.gbuffer = *gbuffer};
+}
+
+/// Columns of the picture at the left of the divider.
+int divider_column(const View& view, int width) {
+    return std::clamp(static_cast<int>(std::lround(view.divider * static_cast<float>(width))), 0,
+                      width);
+}
+
+Status draw_difference_frame(RendererState& state, const View& view, const FrameCamera& camera,
+                             const LightingInputs& inputs, const PictureTarget& whole) {
+    Result<gl::Framebuffer*> left = state.left.at(camera.size);
+    if (!left) return passed_on(left);
+    Result<gl::Framebuffer*> right = state.right.at(camera.size);
+    if (!right) return passed_on(right);
+    PictureTarget side = {.area = whole.area, .output = OutputMode::Radiance};
+    side.framebuffer = *left;
+    if (Status done = draw_side(state, {view, view.left, FrameSide::Left}, camera, inputs, side);
+        !done)
+        return done;
+    side.framebuffer = *right;
+    if (Status done = draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, side);
+        !done)
+        return done;
+    return draw_difference(state, view, **left, **right, whole);
+}
+
+/// Both sides, each into its own columns.
+Status draw_sides(RendererState& state, const View& view, const FrameCamera& camera,
+                  const LightingInputs& inputs, const PictureTarget& whole) {
+    const int width = whole.area.size.x;
+    const int height = whole.area.size.y;
+    const bool split = view.compare == CompareMode::Split;
+    const int boundary = split ? divider_column(view, width)
+                               : side_area(view, whole.area.size, FrameSide::Right).offset.x;
+    PictureTarget left = whole;
+    left.area = {{0, 0}, {boundary, height}};
+    PictureTarget right = whole;
+    right.area = {{boundary, 0}, {width - boundary, height}};
+    if (!split) right.picture_offset = {boundary, 0};
+    if (boundary > 0)
+        if (Status done =
+                draw_side(state, {view, view.left, FrameSide::Left}, camera, inputs, left);
+            !done)
+            return done;
+    if (boundary == width) return {};
+    return draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, right);
+}
+
+double total_ms(const std::vector<PassCost>& passes) {
+    return std::accumulate(passes.begin(), passes.end(), 0.0,
+                           [](double sum, const PassCost& pass) { return sum + pass.gpu_ms; });
+}
+
+SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side) {
+    SideCost cost;
+    cost.passes = state.timers.costs(side);
+    cost.frame_ms = total_ms(cost.passes);
+    cost.gbuffer_bytes = state.gbuffer.plain.bytes() + state.gbuffer.with_surface.bytes();
+    if (shading.model == ShadingModel::Pbr && state.environment)
+        cost.environment_bytes = state.environment->specular.bytes() +
+                                 state.environment->diffuse.bytes() +
+                                 state.environment_brdf.bytes();
+    return cost;
+}
+
+}  // namespace
+
+SideArea side_area(const View& view, glm::ivec2 size, FrameSide side) {
+    if (view.compare != CompareMode::TwoViews) return {size, {0, 0}};
+    // Of an odd width the right view has the middle column.
+    const int half = size.x / 2;
+    return {{std::max(1, size.x - half), size.y}, {side == FrameSide::Right ? half : 0, 0}};
+}
+
+Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
+                  const FrameTarget& target) {
+    state.timers.begin_frame();
+    const glm::ivec2 gbuffer_size = side_area(view, size, FrameSide::Left).gbuffer_size;
+    const FrameCamera camera =
+        frame_camera(view, state.scene->bounds_world, gbuffer_size, target.jitter_pixels);
+    const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
+    if (!inputs) return passed_on(inputs);
+    const PictureTarget whole{.framebuffer = target.framebuffer,
+                              .area = {{0, 0}, size},
+                              .output = target.output,
+                              .add = target.add};
+    switch (view.compare) {
+        case CompareMode::Single:
+            return draw_side(state, {view, view.left, FrameSide::Left}, camera, *inputs, whole);
+        case CompareMode::Split:
+        case CompareMode::TwoViews:
+            return draw_sides(state, view, camera, *inputs, whole);
+        case CompareMode::Difference:
+            return draw_difference_frame(state, view, camera, *inputs, whole);
+    }
+    return {};
+}
+
+Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumbnail,
+                        const gl::Framebuffer& target) {
+    View shown = view;
+    shown.compare = CompareMode::Single;
+    const FrameCamera camera =
+        frame_camera(shown, state.scene->bounds_world, thumbnail, glm::vec2(0.0f));
+    // The finished picture wants blended surfaces apart, the channels want them in the G-buffer.
+    SurfaceSet drawn = SurfaceSet::Opaque;
+    LightingInputs inputs;
+    for (int i = 0; i < kStripChannelCount; ++i) {
+        shown.channel = kChannelViews[static_cast<std::size_t>(i)].view;
+        if (inputs.gbuffer == nullptr ||
+            (surfaces_of(shown) != drawn && shows_blended(state, view))) {
+            const Result<gl::Framebuffer*> gbuffer =
+                draw_gbuffer(state, state.strip_gbuffer, shown, camera, surfaces_of(shown));
+            if (!gbuffer) return passed_on(gbuffer);
+            inputs.gbuffer = *gbuffer;
+            drawn = surfaces_of(shown);
+        }
+        const glm::ivec2 offset(i * thumbnail.x, 0);
+        const PictureTarget place{
+            .framebuffer = &target, .area = {offset, thumbnail}, .picture_offset = offset};
+        const SideView side{shown, view.left, FrameSide::Left};
+        if (Status done = draw_side(state, side, camera, inputs, place); !done) return done;
+    }
+    return {};
+}
+
+FrameStats frame_stats(RendererState& state, const View& view) {
+    FrameStats stats;
+    stats.left = side_cost(state, view.left, FrameSide::Left);
+    if (view.compare != CompareMode::Single)
+        stats.right = side_cost(state, view.right, FrameSide::Right);
+    stats.material_texture_bytes = state.materials.texture_bytes();
+    stats.triangles = state.scene->triangles;
+    return stats;
+}
+
+}  // namespace patina::render

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// All passes of one frame, for each way to compare. Inside engine/render only.
+
+#include "render/picture_passes.h"
+
+namespace patina::render {
+
+/// Where a frame goes.
+struct FrameTarget {
+    const gl::Framebuffer* framebuffer = nullptr;
+    OutputMode output = OutputMode::Srgb;
+    bool add = false;                           ///< to what the target holds, for averages
+    glm::vec2 jitter_pixels = glm::vec2(0.0f);  ///< see frame_camera
+};
+
+Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
+                  const FrameTarget& target);
+
+/// The strip of channels, each `thumbnail` large, into a target that holds them all.
+Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumbnail,
+                        const gl::Framebuffer& target);
+
+/// Of the G-buffer that a side of this frame uses: the size, and where it lies in the picture.
+struct SideArea {
+    glm::ivec2 gbuffer_size;
+    glm::ivec2 offset;
+};
+SideArea side_area(const View& view, glm::ivec2 size, FrameSide side);
+
+FrameStats frame_stats(RendererState& state, const View& view);
+
+}  // namespace patina::render

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "render/geometry_passes.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace patina::render {
+namespace {
+
+constexpr std::string_view kSurfaceVertexFile = "passes/surface.vert";
+
+bool belongs(const GpuMaterial& material, SurfaceSet surfaces) {
+    const bool blended = material.surface.alpha_mode == AlphaMode::Blend;
+    return surfaces == SurfaceSet::All || blended == (surfaces == SurfaceSet::Blended);
+}
+
+std::vector<std::size_t> front_to_back(const RendererState& state, const View& view) {
+    std::vector<std::size_t> order = back_to_front(state.scene->items, view.camera);
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+}  // namespace
+
+FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size,
+                         glm::vec2 jitter_pixels) {
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+    FrameCamera camera;
+    camera.range = depth_range(view.camera, bounds);
+    camera.view_from_world = view_from_world(view.camera);
+    // The picture moves against the sample point.
+    const glm::vec2 shift_clip = -2.0f * jitter_pixels / glm::vec2(size);
+    camera.clip_from_world = glm::translate(glm::mat4(1.0f), glm::vec3(shift_clip, 0.0f)) *
+                             clip_from_view(view.camera, aspect, camera.range) *
+                             camera.view_from_world;
+    camera.position = view.camera.position;
+    camera.forward = -glm::transpose(glm::mat3(camera.view_from_world))[2];
+    camera.size = size;
+    return camera;
+}
+
+void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
+                   const gl::State& base, const std::vector<std::size_t>& order,
+                   SurfaceSet surfaces) {
+    for (const std::size_t index : order) {
+        const DrawItem& item = state.scene->items[index];
+        const GpuMaterial& material = state.materials.at(item.source_material);
+        if (!belongs(material, surfaces)) continue;
+        gl::State draw_state = base;
+        draw_state.cull = material.surface.double_sided ? gl::Cull::None : gl::Cull::Back;
+        draw_state.front_is_clockwise = item.mirrored;
+        pass.set_state(draw_state);
+        state.materials.bind(pass, program, material);
+        program.set("world_from_local", item.world_from_local);
+        program.set("normal_world_from_local",
+                    glm::inverseTranspose(glm::mat3(item.world_from_local)));
+        program.set("handedness", item.mirrored ? -1.0f : 1.0f);
+        program.set("ids", glm::vec3(item.instance, item.primitive, item.source_material));
+        const gl::VertexArray& vertices = state.scene->vertex_arrays[item.vertices];
+        pass.draw(program, vertices, {.count = vertices.count()});
+    }
+}
+
+GBufferTargets::GBufferTargets(const std::string& label)
+    : plain({.label = label,
+             .colors = {{"albedo", gl::Format::Srgb8Alpha8},
+                        {"normal_roughness", gl::Format::Rgba16F},
+                        {"specular_ior", gl::Format::Rgba16F},
+                        {"emissive_occlusion", gl::Format::Rgba16F}},
+             .depth = gl::Format::Depth32F}),
+      with_surface({.label = label,
+                    .colors = {{"albedo", gl::Format::Srgb8Alpha8},
+                               {"normal_roughness", gl::Format::Rgba16F},
+                               {"specular_ior", gl::Format::Rgba16F},
+                               {"emissive_occlusion", gl::Format::Rgba16F},
+                               {"surface", gl::Format::Rgba8}},
+                    .depth = gl::Format::Depth32F}) {}
+
+Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targets,
+                                      const View& view, const FrameCamera& camera,
+                                      SurfaceSet surfaces,
+                                      const std::optional<gl::Viewport>& only) {
+    const bool with_surface = state.materials.any_needs_surface_target();
+    Result<gl::Framebuffer*> gbuffer =
+        (with_surface ? targets.with_surface : targets.plain).at(camera.size);
+    if (!gbuffer) return gbuffer;
+    ShaderVariant variant{kSurfaceVertexFile, "passes/gbuffer.frag", {}};
+    if (with_surface) variant.constants.push_back({"SURFACE_TARGET", "1"});
+    const Result<gl::Program*> program = state.shaders.program(variant);
+    if (!program) return passed_on(program);
+
+    // Colours need no clearing: nothing reads them where depth is 1.
+    const gl::State base{.encode_srgb = true};
+    const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "G-buffer");
+    gl::Pass pass({.label = "G-buffer",
+                   .target = *gbuffer,
+                   .scissor = only,
+                   .state = base,
+                   .clear_depth = 1.0f});
+    (*program)->set("clip_from_world", camera.clip_from_world);
+    draw_surfaces(state, pass, **program, base, front_to_back(state, view), surfaces);
+    return gbuffer;
+}
+
+std::optional<Inspected> inspected_for(ChannelView channel) {
+    switch (channel) {
+        case ChannelView::Alpha:
+            return Inspected::Alpha;
+        case ChannelView::Tangent:
+            return Inspected::Tangent;
+        case ChannelView::GeometricNormal:
+            return Inspected::GeometricNormal;
+        case ChannelView::Uv0:
+            return Inspected::Uv0;
+        case ChannelView::Uv1:
+            return Inspected::Uv1;
+        default:
+            return std::nullopt;
+    }
+}
+
+Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,
+                                         const FrameCamera& camera, Inspected inspected,
+                                         const std::optional<gl::Viewport>& only) {
+    Result<gl::Framebuffer*> target = state.inspection.at(camera.size);
+    if (!target) return target;
+    const Result<gl::Program*> program =
+        state.shaders.program({kSurfaceVertexFile, "passes/inspection.frag", {}});
+    if (!program) return passed_on(program);
+
+    const gl::State base;
+    const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Inspection");
+    gl::Pass pass({.label = "inspection",
+                   .target = *target,
+                   .scissor = only,
+                   .state = base,
+                   .clear_colors = {glm::vec4(0.0f)},
+                   .clear_depth = 1.0f});
+    (*program)->set("clip_from_world", camera.clip_from_world);
+    (*program)->set("inspected", static_cast<int>(inspected));
+    draw_surfaces(state, pass, **program, base, front_to_back(state, view), SurfaceSet::All);
+    return target;
+}
+
+}  // namespace patina::render

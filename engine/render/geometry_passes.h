@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The passes that draw meshes: G-buffer and inspection. Inside engine/render only.
+
+#include <optional>
+#include <vector>
+
+#include "render/renderer_state.h"
+
+namespace patina::render {
+
+/// The camera of a frame, ready for the shaders.
+struct FrameCamera {
+    glm::mat4 clip_from_world = glm::mat4(1.0f);
+    glm::mat4 view_from_world = glm::mat4(1.0f);
+    glm::vec3 position = glm::vec3(0.0f);
+    glm::vec3 forward = glm::vec3(0.0f);
+    DepthRange range;
+    glm::ivec2 size = glm::ivec2(0);
+};
+/// @param jitter_pixels  where in a pixel its sample lies, from its middle, -0.5 to 0.5
+FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size,
+                         glm::vec2 jitter_pixels);
+
+enum class SurfaceSet { Opaque, Blended, All };
+
+/// Draws the items of a set in that order with a program that has the inputs of surface.vert and
+/// material.glsl.
+void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
+                   const gl::State& base, const std::vector<std::size_t>& order,
+                   SurfaceSet surfaces);
+
+/// Draws the G-buffer, or only the pixel `only` of it.
+Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targets,
+                                      const View& view, const FrameCamera& camera,
+                                      SurfaceSet surfaces,
+                                      const std::optional<gl::Viewport>& only = std::nullopt);
+
+/// What the inspection pass writes, as passes/inspection.frag numbers it.
+enum class Inspected { Alpha, Tangent, GeometricNormal, Uv0, Uv1, Ids };
+/// What it has to write for a channel; nothing for those that it does not serve.
+std::optional<Inspected> inspected_for(ChannelView channel);
+Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,
+                                         const FrameCamera& camera, Inspected inspected,
+                                         const std::optional<gl::Viewport>& only = std::nullopt);
+
+}  // namespace patina::render

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "render/gpu_environment.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace patina::render {
+namespace {
+
+constexpr int kBrdfTableSize = 64;
+constexpr int kSpecularUnit = 8;
+constexpr int kDiffuseUnit = 9;
+constexpr int kBrdfUnit = 10;
+
+/// One with several levels reads linearly within and between them by itself; see gl::Texture.
+Result<gl::Texture> upload_cube(const HalfCube& cube, std::string label) {
+    Result<gl::Texture> texture =
+        gl::Texture::make({.label = std::move(label),
+                           .size = {cube.face_size, cube.face_size},
+                           .format = gl::Format::Rgba16F,
+                           .shape = gl::TextureShape::Cube,
+                           .levels = static_cast<int>(cube.levels.size())});
+    if (!texture) return texture;
+    for (std::size_t level = 0; level < cube.levels.size(); ++level) {
+        const int side = cube.face_size >> level;
+        const std::size_t face_values =
+            static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * kHalfCubeChannels;
+        for (int face = 0; face < 6; ++face)
+            texture->upload_halves(
+                {.size = {side, side}, .level = static_cast<int>(level), .face = face},
+                std::span(cube.levels[level])
+                    .subspan(static_cast<std::size_t>(face) * face_values, face_values));
+    }
+    return texture;
+}
+
+}  // namespace
+
+Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment) {
+    Result<gl::Texture> specular = upload_cube(environment.specular, "environment.specular");
+    if (!specular) return passed_on(specular);
+    Result<gl::Texture> diffuse = upload_cube(environment.diffuse, "environment.diffuse");
+    if (!diffuse) return passed_on(diffuse);
+    return GpuEnvironment{.specular = std::move(*specular),
+                          .diffuse = std::move(*diffuse),
+                          .ambient_linear = environment.ambient_linear,
+                          .key_direction_environment = environment.key_direction_world,
+                          .key_irradiance_linear = environment.key_irradiance_linear,
+                          .levels = static_cast<int>(environment.specular.levels.size())};
+}
+
+Result<gl::Texture> upload_environment_brdf() {
+    const std::vector<glm::vec2> table = environment_brdf_table(kBrdfTableSize);
+    Result<gl::Texture> texture = gl::Texture::make({.label = "environment.brdf",
+                                                     .size = {kBrdfTableSize, kBrdfTableSize},
+                                                     .format = gl::Format::Rg32F});
+    if (!texture) return texture;
+    texture->upload({.size = {kBrdfTableSize, kBrdfTableSize}},
+                    std::span(&table.front().x, 2 * table.size()));
+    return texture;
+}
+
+glm::mat3 environment_from_world(float rotation_degrees) {
+    return glm::mat3(
+        glm::rotate(glm::mat4(1.0f), glm::radians(-rotation_degrees), glm::vec3(0.0f, 1.0f, 0.0f)));
+}
+
+void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
+                      const gl::Texture& brdf, const gl::Sampler& linear, const View& view) {
+    pass.bind_texture(program, "specular_environment", kSpecularUnit, environment.specular);
+    pass.bind_texture(program, "diffuse_environment", kDiffuseUnit, environment.diffuse, &linear);
+    pass.bind_texture(program, "environment_brdf", kBrdfUnit, brdf, &linear);
+    program.set("environment_levels", static_cast<float>(environment.levels));
+    program.set("environment_from_world",
+                environment_from_world(view.environment_rotation_degrees));
+    program.set("environment_intensity", view.environment_intensity);
+}
+
+Result<GpuGroundShadow> upload_ground_shadow(const GroundShadow& shadow) {
+    Result<gl::Texture> light = gl::Texture::make(
+        {.label = "ground shadow", .size = {shadow.side, shadow.side}, .format = gl::Format::R8});
+    if (!light) return passed_on(light);
+    light->upload({.size = {shadow.side, shadow.side}},
+                  std::span<const std::uint8_t>(shadow.light));
+    return GpuGroundShadow{std::move(*light), shadow.center_world, shadow.extent};
+}
+
+}  // namespace patina::render

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// A filtered environment and the floor's shadow on the GPU.
+
+#include "core/result.h"
+#include "gl/pass.h"
+#include "gl/sampler.h"
+#include "gl/texture.h"
+#include "render/environment.h"
+#include "render/ground_shadow.h"
+#include "render/view.h"
+
+namespace patina::render {
+
+struct GpuEnvironment {
+    gl::Texture specular;
+    gl::Texture diffuse;
+    glm::vec3 ambient_linear;
+    glm::vec3 key_direction_environment;  ///< the way the light travels, before rotation
+    glm::vec3 key_irradiance_linear;
+    int levels = 1;
+};
+
+Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment);
+/// The table of environment_brdf_table.
+Result<gl::Texture> upload_environment_brdf();
+
+/// From world directions to those of the map: the map turns counter-clockwise from above.
+glm::mat3 environment_from_world(float rotation_degrees);
+
+/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10.
+void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
+                      const gl::Texture& brdf, const gl::Sampler& linear, const View& view);
+
+struct GpuGroundShadow {
+    gl::Texture light;
+    glm::vec3 center_world;
+    float extent = 0.0f;
+};
+Result<GpuGroundShadow> upload_ground_shadow(const GroundShadow& shadow);
+
+}  // namespace patina::render

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "render/gpu_materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patina::render {
+namespace {
+
+constexpr int kMaterialBlockSlot = 0;
+constexpr float kAnisotropy = 4.0f;
+constexpr std::array<const char*, kSlotCount> kSamplerNames = {
+    "base_color_map", "metallic_roughness_map", "normal_map", "occlusion_map", "emissive_map"};
+
+/// Laid out as `MaterialBlock` in passes/material.glsl (std140: everything is four floats).
+struct SlotBlock {
+    glm::vec4 multiply;
+    glm::vec4 add;
+    glm::vec4 uv_row_u;  ///< u' = dot(xyz, (u, v, 1)); w: the UV set
+    glm::vec4 uv_row_v;  ///< v' likewise; w: 1 where there is a texture
+};
+struct MaterialBlock {
+    std::array<SlotBlock, kSlotCount> slots;
+    glm::vec4 alpha;         ///< x: AlphaMode, y: cutoff, z: 1 when double-sided, w: 1 when unlit
+    glm::vec4 specular;      ///< KHR_materials_specular: colour, factor
+    glm::vec4 ior_emissive;  ///< x: IOR, y: emissive strength
+};
+static_assert(sizeof(MaterialBlock) == sizeof(glm::vec4) * (4 * kSlotCount + 3));
+
+/// KHR_texture_transform: translation * rotation * scale, with its matrix's signs.
+SlotBlock slot_block(const SurfaceSlot& slot) {
+    const UvTransform& transform = slot.texture.transform;
+    const float angle = glm::radians(transform.rotation_degrees);
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    return {.multiply = slot.multiply,
+            .add = slot.add,
+            .uv_row_u = {c * transform.scale.x, s * transform.scale.y, transform.offset.x,
+                         static_cast<float>(slot.texture.uv_set)},
+            .uv_row_v = {-s * transform.scale.x, c * transform.scale.y, transform.offset.y,
+                         slot.texture.pixels ? 1.0f : 0.0f}};
+}
+
+MaterialBlock material_block(const SurfaceMaterial& surface) {
+    MaterialBlock block = {};
+    std::transform(surface.slots.begin(), surface.slots.end(), block.slots.begin(), slot_block);
+    block.alpha = {static_cast<float>(surface.alpha_mode), surface.alpha_cutoff,
+                   surface.double_sided ? 1.0f : 0.0f, surface.unlit ? 1.0f : 0.0f};
+    block.specular = {surface.specular_color_linear, surface.specular_factor};
+    block.ior_emissive = {surface.ior, surface.emissive_strength, 0.0f, 0.0f};
+    return block;
+}
+
+gl::Buffer block_buffer(const SurfaceMaterial& surface) {
+    const MaterialBlock block = material_block(surface);
+    return gl::Buffer::make({.label = "material",
+                             .kind = gl::BufferKind::Uniforms,
+                             .use = gl::BufferUse::Dynamic,
+                             .content = std::as_bytes(std::span(&block, 1))});
+}
+
+gl::Wrap gl_wrap(Wrap wrap) {
+    switch (wrap) {
+        case Wrap::Repeat:
+            return gl::Wrap::Repeat;
+        case Wrap::Mirror:
+            return gl::Wrap::MirroredRepeat;
+        case Wrap::Clamp:
+            return gl::Wrap::ClampToEdge;
+    }
+    return gl::Wrap::Repeat;
+}
+
+gl::Sampler make_sampler(Wrap u, Wrap v, Filter filter) {
+    const bool nearest = filter == Filter::Nearest;
+    return gl::Sampler::make({.label = "material map",
+                              .wrap_u = gl_wrap(u),
+                              .wrap_v = gl_wrap(v),
+                              .magnify = nearest ? gl::Filter::Nearest : gl::Filter::Linear,
+                              .minify = nearest ? gl::Filter::Nearest : gl::Filter::Linear,
+                              .mip = nearest ? gl::MipFilter::Nearest : gl::MipFilter::Linear,
+                              .anisotropy = nearest ? 1.0f : kAnisotropy});
+}
+
+std::array<int, 3> sampler_key(Wrap u, Wrap v, Filter filter) {
+    return {static_cast<int>(u), static_cast<int>(v), static_cast<int>(filter)};
+}
+
+void upload(GpuTexture& gpu, int level, const TexelRect& rect) {
+    const MipLevel& texels = gpu.chain.levels[static_cast<std::size_t>(level)];
+    const std::size_t first =
+        4 * (static_cast<std::size_t>(rect.y0) * static_cast<std::size_t>(texels.width) +
+             static_cast<std::size_t>(rect.x0));
+    const gl::TextureRegion region{.offset = {rect.x0, rect.y0},
+                                   .size = {rect.x1 - rect.x0, rect.y1 - rect.y0},
+                                   .level = level,
+                                   .row_texels = texels.width};
+    if (gpu.chain.storage == TexelStorage::Rgba8)
+        gpu.texture.upload(region, std::span(texels.bytes).subspan(first));
+    else
+        gpu.texture.upload(region, std::span(texels.floats).subspan(first));
+}
+
+gl::Format texture_format(const MipChain& chain) {
+    if (chain.storage == TexelStorage::RgbaFloat) return gl::Format::Rgba16F;
+    return chain.srgb ? gl::Format::Srgb8Alpha8 : gl::Format::Rgba8;
+}
+
+Result<GpuTexturePtr> upload_new(const Image& image, bool srgb) {
+    MipChain chain = mip_chain(image, srgb);
+    Result<gl::Texture> texture =
+        gl::Texture::make({.label = "material map",
+                           .size = {image.width, image.height},
+                           .format = texture_format(chain),
+                           .levels = static_cast<int>(chain.levels.size())});
+    if (!texture) return passed_on(texture);
+    auto gpu = std::make_shared<GpuTexture>(GpuTexture{std::move(*texture), std::move(chain)});
+    for (std::size_t level = 0; level < gpu->chain.levels.size(); ++level) {
+        const MipLevel& texels = gpu->chain.levels[level];
+        upload(*gpu, static_cast<int>(level), {0, 0, texels.width, texels.height});
+    }
+    return gpu;
+}
+
+bool same_layout(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+           a.type == b.type;
+}
+
+}  // namespace
+
+GpuMaterials::GpuMaterials(gl::Texture white) : white_(std::move(white)) {
+    for (const Wrap u : {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp})
+        for (const Wrap v : {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp})
+            for (const Filter filter : {Filter::Linear, Filter::Nearest})
+                samplers_.emplace(sampler_key(u, v, filter), make_sampler(u, v, filter));
+    const SurfaceMaterial surface = plain_surface();
+    plain_.emplace(GpuMaterial{surface, {}, block_buffer(surface)});
+}
+
+Result<GpuMaterials> GpuMaterials::make() {
+    Result<gl::Texture> white = gl::Texture::make({.label = "white", .size = {1, 1}});
+    if (!white) return passed_on(white);
+    const std::array<std::uint8_t, 4> texel = {255, 255, 255, 255};
+    white->upload({.size = {1, 1}}, std::span<const std::uint8_t>(texel));
+    return GpuMaterials(std::move(*white));
+}
+
+bool GpuMaterials::used_elsewhere(const ImagePtr& pixels, int source_material) const {
+    return std::any_of(materials_.begin(), materials_.end(), [&](const auto& entry) {
+        const auto& slots = entry.second.surface.slots;
+        return entry.first != source_material &&
+               std::any_of(slots.begin(), slots.end(),
+                           [&](const SurfaceSlot& slot) { return slot.texture.pixels == pixels; });
+    });
+}
+
+Result<GpuTexturePtr> GpuMaterials::texture_of(const SurfaceTexture& wanted,
+                                               const GpuTexturePtr& before,
+                                               const ImagePtr& pixels_before, int source_material,
+                                               const std::optional<TexelRect>& changed) {
+    if (!wanted.pixels) return GpuTexturePtr();
+    const std::pair key(wanted.pixels, wanted.srgb);
+    if (const auto found = textures_.find(key); found != textures_.end()) return found->second;
+
+    const bool in_place = changed && before && before->chain.srgb == wanted.srgb &&
+                          same_layout(*pixels_before, *wanted.pixels) &&
+                          !used_elsewhere(pixels_before, source_material);
+    if (!in_place) {
+        Result<GpuTexturePtr> made = upload_new(*wanted.pixels, wanted.srgb);
+        if (made) textures_[key] = *made;
+        return made;
+    }
+    if (!changed->empty()) {
+        const std::vector<TexelRect> rects =
+            update_mip_chain(before->chain, *wanted.pixels, *changed);
+        for (std::size_t level = 0; level < rects.size(); ++level)
+            upload(*before, static_cast<int>(level), rects[level]);
+    }
+    textures_.erase({pixels_before, wanted.srgb});
+    textures_[key] = before;
+    return before;
+}
+
+Status GpuMaterials::set(int source_material, const SurfaceMaterial& surface,
+                         const std::optional<TexelRect>& changed) {
+    const auto before = materials_.find(source_material);
+    std::array<GpuTexturePtr, kSlotCount> textures;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        const bool known = before != materials_.end();
+        Result<GpuTexturePtr> texture =
+            texture_of(surface.slots[i].texture, known ? before->second.textures[i] : nullptr,
+                       known ? before->second.surface.slots[i].texture.pixels : nullptr,
+                       source_material, changed);
+        if (!texture) return passed_on(texture);
+        textures[i] = *texture;
+    }
+    if (before == materials_.end()) {
+        materials_.emplace(source_material,
+                           GpuMaterial{surface, std::move(textures), block_buffer(surface)});
+    } else {
+        const MaterialBlock block = material_block(surface);
+        before->second.surface = surface;
+        before->second.textures = std::move(textures);
+        before->second.block.write(std::as_bytes(std::span(&block, 1)));
+    }
+    forget_unused();
+    return {};
+}
+
+void GpuMaterials::forget_unused() {
+    std::erase_if(textures_, [](const auto& entry) { return entry.second.use_count() == 1; });
+}
+
+void GpuMaterials::clear() {
+    materials_.clear();
+    textures_.clear();
+}
+
+const GpuMaterial& GpuMaterials::at(int source_material) const {
+    const auto found = materials_.find(source_material);
+    return found == materials_.end() ? *plain_ : found->second;
+}
+
+bool GpuMaterials::any_needs_surface_target() const {
+    return std::any_of(materials_.begin(), materials_.end(), [](const auto& entry) {
+        return entry.second.surface.unlit || entry.second.surface.specular_factor != 1.0f;
+    });
+}
+
+std::size_t GpuMaterials::texture_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& [key, gpu] : textures_) bytes += gpu->texture.bytes();
+    return bytes;
+}
+
+const gl::Sampler& GpuMaterials::sampler_of(const SurfaceTexture& texture) const {
+    return samplers_.at(sampler_key(texture.wrap_u, texture.wrap_v, texture.filter));
+}
+
+void GpuMaterials::bind(gl::Pass& pass, gl::Program& program, const GpuMaterial& material) const {
+    program.set_block("MaterialBlock", kMaterialBlockSlot);
+    pass.bind_block(kMaterialBlockSlot, material.block);
+    for (std::size_t i = 0; i < material.textures.size(); ++i)
+        pass.bind_texture(program, kSamplerNames[i], static_cast<int>(i),
+                          material.textures[i] ? material.textures[i]->texture : white_,
+                          &sampler_of(material.surface.slots[i].texture));
+}
+
+}  // namespace patina::render

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The materials of a scene on the GPU: their textures, each uploaded once, and for each material a
+/// uniform block.
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "core/result.h"
+#include "gl/buffer.h"
+#include "gl/pass.h"
+#include "gl/sampler.h"
+#include "gl/texture.h"
+#include "render/mip_chain.h"
+#include "render/surface.h"
+
+namespace patina::render {
+
+/// Texels on the GPU beside the CPU's copy of their mips.
+struct GpuTexture {
+    gl::Texture texture;
+    MipChain chain;
+};
+using GpuTexturePtr = std::shared_ptr<GpuTexture>;
+
+struct GpuMaterial {
+    SurfaceMaterial surface;
+    std::array<GpuTexturePtr, kSlotCount> textures;  ///< null where a slot has none
+    gl::Buffer block;                                ///< `MaterialBlock` of passes/material.glsl
+};
+
+class GpuMaterials {
+  public:
+    static Result<GpuMaterials> make();
+
+    Status set(int source_material, const SurfaceMaterial& surface,
+               const std::optional<TexelRect>& changed);
+    void clear();
+
+    /// The material of primitives with this source_material, or the plain one.
+    const GpuMaterial& at(int source_material) const;
+    /// Whether any material needs the `surface` target (F90 or unlit).
+    bool any_needs_surface_target() const;
+    std::size_t texture_bytes() const;
+
+    /// Lets the program of a pass read a material. Takes texture units 0 to 4.
+    void bind(gl::Pass& pass, gl::Program& program, const GpuMaterial& material) const;
+
+  private:
+    explicit GpuMaterials(gl::Texture white);
+    Result<GpuTexturePtr> texture_of(const SurfaceTexture& wanted, const GpuTexturePtr& before,
+                                     const ImagePtr& pixels_before, int source_material,
+                                     const std::optional<TexelRect>& changed);
+    bool used_elsewhere(const ImagePtr& pixels, int source_material) const;
+    const gl::Sampler& sampler_of(const SurfaceTexture& texture) const;
+    void forget_unused();
+
+    gl::Texture white_;
+    std::map<std::array<int, 3>, gl::Sampler> samplers_;  // by wrap u, wrap v, filter
+    /// By the pixels themselves, which are held: the address cannot come back as other content.
+    std::map<std::pair<ImagePtr, bool>, GpuTexturePtr> textures_;  // bool: sRGB
+    std::map<int, GpuMaterial> materials_;
+    std::optional<GpuMaterial> plain_;
+};
+
+}  // namespace patina::render

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "render/gpu_scene.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace patina::render {
+namespace {
+
+/// As the inputs of shaders/passes/surface.vert.
+struct Vertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+    glm::vec4 tangent;
+    glm::vec4 uvs;
+    glm::vec4 color;
+};
+
+std::vector<Vertex> interleaved(const Primitive& primitive) {
+    std::vector<Vertex> vertices(primitive.positions.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto uv = [&](std::size_t set) {
+            return primitive.uvs[set].empty() ? glm::vec2(0.0f) : primitive.uvs[set][i];
+        };
+        vertices[i] = {
+            .position = primitive.positions[i],
+            .normal =
+                primitive.normals.empty() ? glm::vec3(0.0f, 1.0f, 0.0f) : primitive.normals[i],
+            .tangent = primitive.tangents.empty() ? glm::vec4(0.0f) : primitive.tangents[i],
+            .uvs = glm::vec4(uv(0), uv(1)),
+            .color = primitive.colors.empty() ? glm::vec4(1.0f) : primitive.colors[i]};
+    }
+    return vertices;
+}
+
+gl::VertexArray upload_primitive(const Primitive& primitive, const std::string& label) {
+    const std::vector<Vertex> vertices = interleaved(primitive);
+    return gl::VertexArray::make(
+        {.label = label,
+         .vertices = std::as_bytes(std::span(vertices)),
+         .stride_bytes = sizeof(Vertex),
+         .attributes = {{.location = 0,
+                         .components = 3,
+                         .offset_bytes = offsetof(Vertex, position)},
+                        {.location = 1, .components = 3, .offset_bytes = offsetof(Vertex, normal)},
+                        {.location = 2, .components = 4, .offset_bytes = offsetof(Vertex, tangent)},
+                        {.location = 3, .components = 4, .offset_bytes = offsetof(Vertex, uvs)},
+                        {.location = 4, .components = 4, .offset_bytes = offsetof(Vertex, color)}},
+         .indices = primitive.indices});
+}
+
+Bounds bounds_of(const Primitive& primitive, const glm::mat4& world_from_local) {
+    Bounds bounds;
+    for (const glm::vec3& position : primitive.positions)
+        bounds.include(glm::vec3(world_from_local * glm::vec4(position, 1.0f)));
+    return bounds;
+}
+
+/// The first vertex array of each mesh.
+std::vector<std::size_t> upload_meshes(const Scene& scene, std::vector<gl::VertexArray>& arrays) {
+    std::vector<std::size_t> first_of_mesh;
+    for (const Mesh& mesh : scene.meshes) {
+        first_of_mesh.push_back(arrays.size());
+        for (const Primitive& primitive : mesh.primitives)
+            arrays.push_back(upload_primitive(primitive, "mesh " + mesh.name));
+    }
+    return first_of_mesh;
+}
+
+}  // namespace
+
+GpuScene upload_scene(ScenePtr scene) {
+    GpuScene gpu;
+    gpu.scene = std::move(scene);
+    const std::vector<std::size_t> first_of_mesh = upload_meshes(*gpu.scene, gpu.vertex_arrays);
+    for (std::size_t i = 0; i < gpu.scene->instances.size(); ++i) {
+        const MeshInstance& instance = gpu.scene->instances[i];
+        const auto mesh_index = static_cast<std::size_t>(instance.mesh);
+        const Mesh& mesh = gpu.scene->meshes[mesh_index];
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            const Primitive& primitive = mesh.primitives[p];
+            if (primitive.indices.empty()) continue;
+            const Bounds bounds = bounds_of(primitive, instance.world_from_local);
+            gpu.bounds_world.include(bounds.low);
+            gpu.bounds_world.include(bounds.high);
+            gpu.triangles += primitive.indices.size() / 3;
+            gpu.items.push_back(
+                {.instance = static_cast<int>(i),
+                 .primitive = static_cast<int>(p),
+                 .vertices = first_of_mesh[mesh_index] + p,
+                 .source_material = primitive.source_material,
+                 .world_from_local = instance.world_from_local,
+                 .mirrored = glm::determinant(glm::mat3(instance.world_from_local)) < 0.0f,
+                 .center_world = bounds.center()});
+        }
+    }
+    return gpu;
+}
+
+std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const Camera& camera) {
+    std::vector<std::size_t> order(items.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const glm::vec3 forward = camera.target - camera.position;
+    const auto depth = [&](std::size_t i) {
+        return glm::dot(items[i].center_world - camera.position, forward);
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+    return order;
+}
+
+}  // namespace patina::render

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The meshes of a scene on the GPU, and what is drawn of them in which order.
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "render/camera.h"
+#include "scene/scene.h"
+
+namespace patina::render {
+
+/// One primitive at one place.
+struct DrawItem {
+    int instance = 0;
+    int primitive = 0;         ///< within its mesh
+    std::size_t vertices = 0;  ///< index into GpuScene::vertex_arrays
+    int source_material = -1;
+    glm::mat4 world_from_local = glm::mat4(1.0f);
+    bool mirrored = false;  ///< world_from_local turns the winding round
+    glm::vec3 center_world = glm::vec3(0.0f);
+};
+
+struct GpuScene {
+    ScenePtr scene;
+    std::vector<gl::VertexArray> vertex_arrays;
+    std::vector<DrawItem> items;
+    std::size_t triangles = 0;
+    Bounds bounds_world;  ///< of what is drawn
+};
+
+/// Uploads every primitive once, however many instances show it.
+GpuScene upload_scene(ScenePtr scene);
+
+/// The indices of `items`, farthest from the camera first.
+std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const Camera& camera);
+
+}  // namespace patina::render

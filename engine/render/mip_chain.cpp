@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "render/mip_chain.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstring>
+
+#include "core/formulae/formulae.h"
+#include "core/parallel.h"
+
+namespace patina::render {
+namespace {
+
+constexpr std::int64_t kRowsPerTask = 32;
+constexpr int kChannels = 4;
+
+/// Steps of the table that encodes linear light: a step is 0.8 of a byte where sRGB is steepest.
+constexpr int kEncodeSteps = 4096;
+
+struct SrgbTables {
+    std::array<float, 256> linear_of_byte;
+    std::array<std::uint8_t, kEncodeSteps + 1> byte_of_linear;
+};
+
+const SrgbTables& srgb_tables() {
+    static const SrgbTables tables = [] {
+        SrgbTables made;
+        for (std::size_t i = 0; i < made.linear_of_byte.size(); ++i)
+            made.linear_of_byte[i] = formulae::linear_from_srgb(static_cast<float>(i) / 255.0f);
+        for (std::size_t i = 0; i < made.byte_of_linear.size(); ++i)
+            made.byte_of_linear[i] = static_cast<std::uint8_t>(
+                formulae::srgb_from_linear(static_cast<float>(i) / kEncodeSteps) * 255.0f + 0.5f);
+        return made;
+    }();
+    return tables;
+}
+
+float stored_sample(const Image& image, std::size_t index) {
+    if (image.type == SampleType::U16) {
+        std::uint16_t value;
+        std::memcpy(&value, image.data.data() + index * sizeof value, sizeof value);
+        return static_cast<float>(value) / 65535.0f;
+    }
+    float value;
+    std::memcpy(&value, image.data.data() + index * sizeof value, sizeof value);
+    return value;
+}
+
+/// Which stored channel feeds red, green, blue and alpha; -1 is 1.
+std::array<int, kChannels> channel_sources(int channels) {
+    switch (channels) {
+        case 1:
+            return {0, 0, 0, -1};
+        case 2:
+            return {0, 0, 0, 1};
+        case 3:
+            return {0, 1, 2, -1};
+        default:
+            return {0, 1, 2, 3};
+    }
+}
+
+std::size_t texel_index(const MipLevel& level, int x, int y) {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
+            static_cast<std::size_t>(x)) *
+           kChannels;
+}
+
+void copy_byte_row(const Image& image, MipLevel& level, int y, int x0, int x1) {
+    std::uint8_t* out = level.bytes.data() + texel_index(level, x0, y);
+    const std::byte* row = image.data.data() + static_cast<std::size_t>(y) * image.row_bytes();
+    if (image.channels == kChannels) {
+        std::memcpy(out, row + static_cast<std::size_t>(x0) * kChannels,
+                    static_cast<std::size_t>(x1 - x0) * kChannels);
+        return;
+    }
+    const std::array<int, kChannels> sources = channel_sources(image.channels);
+    for (int x = x0; x < x1; ++x)
+        for (const int source : sources)
+            *out++ =
+                source < 0 ? 255 : std::to_integer<std::uint8_t>(row[x * image.channels + source]);
+}
+
+void copy_float_row(const Image& image, bool srgb, MipLevel& level, int y, int x0, int x1) {
+    float* out = level.floats.data() + texel_index(level, x0, y);
+    const std::array<int, kChannels> sources = channel_sources(image.channels);
+    for (int x = x0; x < x1; ++x) {
+        const std::size_t texel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+            static_cast<std::size_t>(x);
+        for (int c = 0; c < kChannels; ++c) {
+            const int source = sources[static_cast<std::size_t>(c)];
+            const float value =
+                source < 0 ? 1.0f
+                           : stored_sample(image, texel * static_cast<std::size_t>(image.channels) +
+                                                      static_cast<std::size_t>(source));
+            *out++ = srgb && c < 3 ? formulae::linear_from_srgb(value) : value;
+        }
+    }
+}
+
+void copy_texels(MipChain& chain, const Image& image, const TexelRect& rect) {
+    parallel_for(rect.y0, rect.y1, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+        for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+            if (chain.storage == TexelStorage::Rgba8)
+                copy_byte_row(image, chain.levels[0], y, rect.x0, rect.x1);
+            else
+                copy_float_row(image, chain.srgb, chain.levels[0], y, rect.x0, rect.x1);
+    });
+}
+
+/// The texels of the finer level that a coarse one stands for: two, or three at the end of an odd
+/// side, or the only one.
+struct Span {
+    int first;
+    int last;  // one beyond
+};
+Span fine_span(int coarse, int coarse_side, int fine_side) {
+    return {std::min(2 * coarse, fine_side - 1),
+            coarse == coarse_side - 1 ? fine_side : 2 * coarse + 2};
+}
+
+void average_bytes(const MipLevel& fine, const Span& xs, const Span& ys, bool srgb,
+                   std::uint8_t* out) {
+    const int count = (xs.last - xs.first) * (ys.last - ys.first);
+    const SrgbTables& tables = srgb_tables();
+    for (int c = 0; c < kChannels; ++c) {
+        if (srgb && c < 3) {
+            float sum = 0.0f;
+            for (int y = ys.first; y < ys.last; ++y)
+                for (int x = xs.first; x < xs.last; ++x)
+                    sum += tables.linear_of_byte[fine.bytes[texel_index(fine, x, y) +
+                                                            static_cast<std::size_t>(c)]];
+            const float mean = sum / static_cast<float>(count);
+            out[c] = tables.byte_of_linear[static_cast<std::size_t>(mean * kEncodeSteps + 0.5f)];
+        } else {
+            int sum = 0;
+            for (int y = ys.first; y < ys.last; ++y)
+                for (int x = xs.first; x < xs.last; ++x)
+                    sum += fine.bytes[texel_index(fine, x, y) + static_cast<std::size_t>(c)];
+            out[c] = static_cast<std::uint8_t>((sum + count / 2) / count);
+        }
+    }
+}
+
+void average_floats(const MipLevel& fine, const Span& xs, const Span& ys, float* out) {
+    const float share = 1.0f / static_cast<float>((xs.last - xs.first) * (ys.last - ys.first));
+    for (int c = 0; c < kChannels; ++c) {
+        float sum = 0.0f;
+        for (int y = ys.first; y < ys.last; ++y)
+            for (int x = xs.first; x < xs.last; ++x)
+                sum += fine.floats[texel_index(fine, x, y) + static_cast<std::size_t>(c)];
+        out[c] = sum * share;
+    }
+}
+
+TexelRect coarse_rect(const TexelRect& fine, const MipLevel& coarse) {
+    // The last texel of an odd side belongs to the last coarse one.
+    return {std::min(fine.x0 / 2, coarse.width - 1), std::min(fine.y0 / 2, coarse.height - 1),
+            std::min((fine.x1 + 1) / 2, coarse.width), std::min((fine.y1 + 1) / 2, coarse.height)};
+}
+
+void average_level(MipChain& chain, std::size_t index, const TexelRect& rect) {
+    const MipLevel& fine = chain.levels[index - 1];
+    MipLevel& coarse = chain.levels[index];
+    parallel_for(rect.y0, rect.y1, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+        for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+            for (int x = rect.x0; x < rect.x1; ++x) {
+                const Span xs = fine_span(x, coarse.width, fine.width);
+                const Span ys = fine_span(y, coarse.height, fine.height);
+                const std::size_t out = texel_index(coarse, x, y);
+                if (chain.storage == TexelStorage::Rgba8)
+                    average_bytes(fine, xs, ys, chain.srgb, coarse.bytes.data() + out);
+                else
+                    average_floats(fine, xs, ys, coarse.floats.data() + out);
+            }
+    });
+}
+
+}  // namespace
+
+std::vector<TexelRect> update_mip_chain(MipChain& chain, const Image& image,
+                                        const TexelRect& rect) {
+    assert(chain.levels[0].width == image.width && chain.levels[0].height == image.height);
+    std::vector<TexelRect> changed = {rect};
+    copy_texels(chain, image, rect);
+    for (std::size_t i = 1; i < chain.levels.size(); ++i) {
+        changed.push_back(coarse_rect(changed.back(), chain.levels[i]));
+        average_level(chain, i, changed.back());
+    }
+    return changed;
+}
+
+MipChain mip_chain(const Image& image, bool srgb) {
+    MipChain chain;
+    chain.storage = image.type == SampleType::U8 ? TexelStorage::Rgba8 : TexelStorage::RgbaFloat;
+    chain.srgb = srgb;
+    for (int width = image.width, height = image.height;;
+         width = std::max(1, width / 2), height = std::max(1, height / 2)) {
+        MipLevel level{width, height, {}, {}};
+        const std::size_t count = static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(height) * std::size_t{kChannels};
+        if (chain.storage == TexelStorage::Rgba8)
+            level.bytes.resize(count);
+        else
+            level.floats.resize(count);
+        chain.levels.push_back(std::move(level));
+        if (width == 1 && height == 1) break;
+    }
+    update_mip_chain(chain, image, {0, 0, image.width, image.height});
+    return chain;
+}
+
+}  // namespace patina::render

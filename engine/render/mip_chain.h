@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Textures as the GPU takes them, with their mips, made on the CPU: four numbers a texel, sRGB
+/// averaged in linear light. A change of some texels is carried through the levels by itself.
+
+#include <cstdint>
+#include <vector>
+
+#include "composite/composite.h"
+#include "scene/image.h"
+
+namespace patina::render {
+
+/// 8-bit images stay 8-bit (stored as they are); others become linear floats.
+enum class TexelStorage { Rgba8, RgbaFloat };
+
+struct MipLevel {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> bytes;  ///< TexelStorage::Rgba8: width * height * 4
+    std::vector<float> floats;        ///< TexelStorage::RgbaFloat: width * height * 4
+};
+
+struct MipChain {
+    TexelStorage storage = TexelStorage::Rgba8;
+    bool srgb = false;             ///< how the bytes are encoded; floats are linear
+    std::vector<MipLevel> levels;  ///< down to 1 x 1, each half of the one before, rounded down
+};
+
+/// Grey images fill red, green and blue; missing alpha is 1. Floats of sRGB images are decoded.
+MipChain mip_chain(const Image& image, bool srgb);
+
+/// Takes the texels inside `rect` from `image`, which has the size and type that the chain was made
+/// from. Returns the rectangle of each level that has changed.
+std::vector<TexelRect> update_mip_chain(MipChain& chain, const Image& image, const TexelRect& rect);
+
+}  // namespace patina::render

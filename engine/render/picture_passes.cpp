@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "render/picture_passes.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/formulae/formulae.h"
+#include "render/light_uniforms.h"
+
+namespace patina::render {
+namespace {
+
+constexpr std::string_view kFullScreenVertexFile = "passes/full_screen.vert";
+constexpr gl::State kFullScreenState{.depth_test = gl::DepthTest::Off, .write_depth = false};
+
+// Texture units; 0 to 4 belong to materials and 8 to 10 to the environment.
+constexpr int kGBufferUnit = 0;
+constexpr int kDepthUnit = 5;
+constexpr int kInspectionUnit = 6;
+constexpr int kGroundShadowUnit = 7;
+constexpr std::array<const char*, 5> kGBufferSamplers = {
+    "albedo", "normal_roughness", "specular_ior", "emissive_occlusion", "surface_target"};
+
+using Constants = std::vector<gl::ShaderDefine>;
+
+void add_shading_constants(Constants& constants, const Shading& shading) {
+    constants.push_back(shader_constant("SHADING_MODEL", shading.model));
+    constants.push_back(shader_constant("DISTRIBUTION", shading.terms.distribution));
+    constants.push_back(shader_constant("GEOMETRY", shading.terms.geometry));
+    constants.push_back(shader_constant("FRESNEL", shading.terms.fresnel));
+    constants.push_back(shader_constant("DIFFUSE", shading.terms.diffuse));
+    constants.push_back(shader_constant("MULTIPLE_SCATTERING", shading.terms.multiple_scattering));
+}
+
+void add_output_constants(Constants& constants, const View& view, OutputMode output) {
+    constants.push_back(shader_constant("OUTPUT_MODE", output));
+    constants.push_back(shader_constant("TONE_MAP", view.tone_map));
+}
+
+void add_background_constants(Constants& constants, const View& view) {
+    constants.push_back(shader_constant("BACKGROUND_KIND", view.background.kind));
+}
+
+void set_camera(gl::Program& program, const FrameCamera& camera, const PictureTarget& target) {
+    program.set("world_from_clip", glm::inverse(camera.clip_from_world));
+    program.set("view_from_world", camera.view_from_world);
+    program.set("camera_position", camera.position);
+    program.set("camera_forward", camera.forward);
+    program.set("picture_size", glm::vec2(camera.size));
+    program.set("picture_offset", target.picture_offset);
+}
+
+void set_output(gl::Program& program, const View& view) {
+    program.set("exposure", std::exp2(view.exposure_ev));
+}
+
+glm::vec3 linear_color(const glm::vec3& srgb) {
+    const formulae::Real3 linear = formulae::linear_from_srgb({srgb.x, srgb.y, srgb.z});
+    return {linear.x, linear.y, linear.z};
+}
+
+void set_background(gl::Pass& pass, gl::Program& program, const RendererState& state,
+                    const View& view) {
+    program.set("background_color", linear_color(view.background.color_srgb));
+    pass.bind_texture(program, "ground_shadow", kGroundShadowUnit, state.shadow.light,
+                      &state.linear);
+    program.set("ground_shadow_extent", view.ground_shadow ? state.shadow.extent : 0.0f);
+    program.set("floor_center", state.shadow.center_world);
+    program.set("floor_radius", std::max(state.scene->bounds_world.radius(), 1e-6f));
+}
+
+void bind_light(gl::Pass& pass, gl::Program& program, const RendererState& state,
+                const SideView& side) {
+    bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
+                     side.view);
+    set_lighting(program, side.view, side.shading, *state.environment);
+}
+
+/// What is black and white in a channel that is fitted to the scene.
+void set_channel_range(gl::Program& program, const RendererState& state, const View& view,
+                       const FrameCamera& camera) {
+    glm::vec3 low = state.scene->bounds_world.low;
+    glm::vec3 high = state.scene->bounds_world.high;
+    if (view.channel == ChannelView::Depth) {
+        low = glm::vec3(camera.range.near_m);
+        high = glm::vec3(camera.range.far_m);
+    } else if (view.channel == ChannelView::Ior) {
+        low = glm::vec3(1.0f);
+        high = glm::vec3(3.0f);
+    }
+    program.set("range_low", low);
+    program.set("range_high", glm::max(high, low + 1e-6f));
+}
+
+void bind_inputs(gl::Pass& pass, gl::Program& program, const LightingInputs& inputs) {
+    if (inputs.inspection != nullptr) {
+        pass.bind_texture(program, "inspection", kInspectionUnit, inputs.inspection->color(0));
+        return;
+    }
+    const std::size_t targets = inputs.gbuffer->description().colors.size();
+    for (std::size_t i = 0; i < targets; ++i)
+        pass.bind_texture(program, kGBufferSamplers[i], kGBufferUnit + static_cast<int>(i),
+                          inputs.gbuffer->color(i));
+    pass.bind_texture(program, "depth", kDepthUnit, inputs.gbuffer->depth());
+}
+
+bool has_surface_target(const LightingInputs& inputs) {
+    return inputs.gbuffer != nullptr &&
+           inputs.gbuffer->description().colors.size() == kGBufferSamplers.size();
+}
+
+ShaderVariant lighting_variant(const SideView& side, const LightingInputs& inputs,
+                               OutputMode output) {
+    ShaderVariant variant{kFullScreenVertexFile, "passes/lighting.frag", {}};
+    add_shading_constants(variant.constants, side.shading);
+    add_output_constants(variant.constants, side.view, output);
+    add_background_constants(variant.constants, side.view);
+    variant.constants.push_back(shader_constant("CHANNEL", side.view.channel));
+    variant.constants.push_back(
+        shader_constant("CHANNEL_DISPLAY", info(side.view.channel).display));
+    variant.constants.push_back(
+        shader_constant("CHANNEL_IS_INSPECTION", inputs.inspection != nullptr));
+    variant.constants.push_back(shader_constant("SURFACE_TARGET", has_surface_target(inputs)));
+    return variant;
+}
+
+gl::State full_screen_state(const PictureTarget& target) {
+    gl::State state = kFullScreenState;
+    if (target.add) state.blend = gl::Blend::Add;
+    return state;
+}
+
+gl::PassDescription full_screen_pass(std::string label, const PictureTarget& target) {
+    return {.label = std::move(label),
+            .target = target.framebuffer,
+            .viewport = target.area,
+            .state = full_screen_state(target)};
+}
+
+}  // namespace
+
+Status draw_lighting(RendererState& state, const SideView& side, const FrameCamera& camera,
+                     const LightingInputs& inputs, const PictureTarget& target,
+                     const std::optional<glm::ivec2>& only_pixel) {
+    const Result<gl::Program*> found =
+        state.shaders.program(lighting_variant(side, inputs, target.output));
+    if (!found) return passed_on(found);
+    gl::Program& program = **found;
+    const PassTimers::Scope timed = state.timers.measure(side.side, "Lighting");
+    gl::Pass pass(full_screen_pass("lighting", target));
+    set_camera(program, camera, target);
+    set_output(program, side.view);
+    set_background(pass, program, state, side.view);
+    set_channel_range(program, state, side.view, camera);
+    program.set("gbuffer_pixel_override", only_pixel.value_or(glm::ivec2(-1)));
+    bind_light(pass, program, state, side);
+    bind_inputs(pass, program, inputs);
+    pass.draw(program, state.full_screen, {.count = 3});
+    return {};
+}
+
+Status draw_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
+                    const PictureTarget& target) {
+    ShaderVariant variant{"passes/surface.vert", "passes/forward.frag", {}};
+    add_shading_constants(variant.constants, side.shading);
+    const Result<gl::Program*> found = state.shaders.program(variant);
+    if (!found) return passed_on(found);
+    gl::Program& program = **found;
+    const gl::State base{.write_depth = false, .blend = gl::Blend::Premultiplied};
+    const PassTimers::Scope timed = state.timers.measure(side.side, "Blended");
+    gl::Pass pass({.label = "blended",
+                   .target = target.framebuffer,
+                   .viewport = gl::Viewport{target.picture_offset, camera.size},
+                   .scissor = target.area,
+                   .state = base});
+    set_camera(program, camera, target);
+    program.set("clip_from_world", camera.clip_from_world);
+    bind_light(pass, program, state, side);
+    draw_surfaces(state, pass, program, base, back_to_front(state.scene->items, side.view.camera),
+                  SurfaceSet::Blended);
+    return {};
+}
+
+Status draw_post(RendererState& state, const SideView& side, const FrameCamera& camera,
+                 const gl::Framebuffer& radiance, const PictureTarget& target) {
+    ShaderVariant variant{kFullScreenVertexFile, "passes/post.frag", {}};
+    add_output_constants(variant.constants, side.view, target.output);
+    add_background_constants(variant.constants, side.view);
+    const Result<gl::Program*> found = state.shaders.program(variant);
+    if (!found) return passed_on(found);
+    gl::Program& program = **found;
+    const PassTimers::Scope timed = state.timers.measure(side.side, "Post");
+    gl::Pass pass(full_screen_pass("post", target));
+    set_camera(program, camera, target);
+    set_output(program, side.view);
+    set_background(pass, program, state, side.view);
+    bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
+                     side.view);
+    pass.bind_texture(program, "radiance", 0, radiance.color(0));
+    pass.draw(program, state.full_screen, {.count = 3});
+    return {};
+}
+
+Status draw_difference(RendererState& state, const View& view, const gl::Framebuffer& left,
+                       const gl::Framebuffer& right, const PictureTarget& target) {
+    ShaderVariant variant{kFullScreenVertexFile, "passes/difference.frag", {}};
+    add_output_constants(variant.constants, view, target.output);
+    const Result<gl::Program*> found = state.shaders.program(variant);
+    if (!found) return passed_on(found);
+    gl::Program& program = **found;
+    const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Difference");
+    gl::Pass pass(full_screen_pass("difference", target));
+    set_output(program, view);
+    program.set("picture_offset", target.picture_offset);
+    program.set("difference_range", std::max(view.difference_range, 1e-6f));
+    pass.bind_texture(program, "left", 0, left.color(0));
+    pass.bind_texture(program, "right", 1, right.color(0));
+    pass.draw(program, state.full_screen, {.count = 3});
+    return {};
+}
+
+Status draw_smoothed(RendererState& state, const gl::Framebuffer& picture,
+                     const gl::Framebuffer& target) {
+    const Result<gl::Program*> found =
+        state.shaders.program({kFullScreenVertexFile, "passes/smooth.frag", {}});
+    if (!found) return passed_on(found);
+    gl::Program& program = **found;
+    const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Anti-aliasing");
+    gl::Pass pass({.label = "smooth", .target = &target, .state = kFullScreenState});
+    program.set("texel_size", 1.0f / glm::vec2(picture.size()));
+    pass.bind_texture(program, "picture", 0, picture.color(0), &state.linear);
+    pass.draw(program, state.full_screen, {.count = 3});
+    return {};
+}
+
+}  // namespace patina::render

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+
+/// What is at one pixel: the passes are drawn again for that pixel alone.
+
+#include "render/frame.h"
+#include "render/renderer.h"
+
+namespace patina::render {
+namespace {
+
+/// A pixel of the last picture in the G-buffer of the side that shows it.
+struct Place {
+    glm::ivec2 gbuffer_size;
+    glm::ivec2 pixel;  ///< from the lower left corner
+    FrameSide side;
+};
+
+std::optional<Place> place_of(const RendererState& state, Pixel pixel) {
+    const PictureSize size = state.last_size;
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
+        return std::nullopt;
+    const glm::ivec2 whole(size.width, size.height);
+    const View& view = state.last_view;
+    const SideArea right = side_area(view, whole, FrameSide::Right);
+    bool is_right = view.compare == CompareMode::TwoViews && pixel.x >= right.offset.x;
+    const int x = is_right ? pixel.x - right.offset.x : pixel.x;
+    if (view.compare == CompareMode::Split)
+        is_right = static_cast<float>(pixel.x) >= view.divider * static_cast<float>(size.width);
+    return Place{right.gbuffer_size,
+                 {x, size.height - 1 - pixel.y},
+                 is_right ? FrameSide::Right : FrameSide::Left};
+}
+
+gl::Viewport one_pixel(const Place& place) {
+    return {place.pixel, {1, 1}};
+}
+
+glm::vec4 read_texel(const gl::Framebuffer& framebuffer, glm::ivec2 pixel) {
+    const std::vector<float> texel = framebuffer.read_color(0, pixel, {1, 1});
+    return {texel[0], texel[1], texel[2], texel[3]};
+}
+
+/// Draws what a channel holds at the pixel into texel `channel` of the probe's row.
+Status draw_probe_channel(RendererState& state, const View& view, const Place& place,
+                          const FrameCamera& camera, const gl::Framebuffer& gbuffer,
+                          const gl::Framebuffer& values) {
+    LightingInputs inputs{.gbuffer = &gbuffer};
+    if (const std::optional<Inspected> inspected = inspected_for(view.channel)) {
+        const Result<gl::Framebuffer*> drawn =
+            draw_inspection(state, view, camera, *inspected, one_pixel(place));
+        if (!drawn) return passed_on(drawn);
+        inputs = {.inspection = *drawn};
+    }
+    const Shading& shading = place.side == FrameSide::Right ? view.right : view.left;
+    const PictureTarget texel{.framebuffer = &values,
+                              .area = {{static_cast<int>(view.channel), 0}, {1, 1}},
+                              .output = OutputMode::Radiance};
+    return draw_lighting(state, {view, shading, place.side}, camera, inputs, texel, place.pixel);
+}
+
+}  // namespace
+
+std::optional<Pick> Renderer::pick(Pixel pixel) {
+    if (!require_content(*state_)) return std::nullopt;
+    const std::optional<Place> place = place_of(*state_, pixel);
+    if (!place) return std::nullopt;
+    const FrameCamera camera = frame_camera(state_->last_view, state_->scene->bounds_world,
+                                            place->gbuffer_size, glm::vec2(0.0f));
+    const Result<gl::Framebuffer*> drawn =
+        draw_inspection(*state_, state_->last_view, camera, Inspected::Ids, one_pixel(*place));
+    if (!drawn) return std::nullopt;
+    const glm::vec4 ids = read_texel(**drawn, place->pixel);
+    if (ids.a == 0.0f) return std::nullopt;
+    return Pick{static_cast<int>(ids.x), static_cast<int>(ids.y), static_cast<int>(ids.z)};
+}
+
+Result<std::optional<Probe>> Renderer::probe(Pixel pixel) {
+    if (Status ready = require_content(*state_); !ready) return passed_on(ready);
+    const std::optional<Pick> picked = pick(pixel);
+    if (!picked) return std::optional<Probe>();
+    const Place place = *place_of(*state_, pixel);
+    View view = state_->last_view;
+    const FrameCamera camera =
+        frame_camera(view, state_->scene->bounds_world, place.gbuffer_size, glm::vec2(0.0f));
+    const Result<gl::Framebuffer*> gbuffer =
+        draw_gbuffer(*state_, state_->gbuffer, view, camera, SurfaceSet::All, one_pixel(place));
+    if (!gbuffer) return passed_on(gbuffer);
+    const Result<gl::Framebuffer*> values = state_->probe_values.at({kChannelViewCount, 1});
+    if (!values) return passed_on(values);
+    for (const ChannelViewInfo& channel : kChannelViews) {
+        view.channel = channel.view;
+        if (Status done = draw_probe_channel(*state_, view, place, camera, **gbuffer, **values);
+            !done)
+            return passed_on(done);
+    }
+    Probe probe{.instance = picked->instance,
+                .primitive = picked->primitive,
+                .source_material = picked->source_material};
+    const std::vector<float> row = (*values)->read_color(0, {0, 0}, {kChannelViewCount, 1});
+    for (std::size_t i = 0; i < probe.values.size(); ++i)
+        probe.values[i] = {row[4 * i], row[4 * i + 1], row[4 * i + 2]};
+    probe.uv = glm::vec2(probe[ChannelView::Uv0]);
+    return std::optional<Probe>(probe);
+}
+
+}  // namespace patina::render

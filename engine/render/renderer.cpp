@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "render/renderer.h"
+
+#include "core/files.h"
+#include "render/frame.h"
+#include "render/renderer_state.h"
+
+namespace patina::render {
+namespace {
+
+gl::FramebufferDescription color_target(std::string label, gl::Format format) {
+    return {.label = label, .size = {1, 1}, .colors = {{label, format}}};
+}
+
+gl::FramebufferDescription with_depth(gl::FramebufferDescription description) {
+    description.depth = gl::Format::Depth32F;
+    return description;
+}
+
+gl::Sampler linear_sampler() {
+    return gl::Sampler::make({.label = "linear"});
+}
+
+glm::ivec2 vector_of(PictureSize size) {
+    return {size.width, size.height};
+}
+
+Status check_size(PictureSize size) {
+    if (size.width >= 1 && size.height >= 1 && size.width <= kMaxPictureSide &&
+        size.height <= kMaxPictureSide)
+        return {};
+    return failure("a picture of {} x {} cannot be drawn: its sides are 1 to {} pixels", size.width,
+                   size.height, kMaxPictureSide);
+}
+
+/// Where the picture of the last draw is.
+const gl::Framebuffer* shown_picture(const RendererState& state) {
+    return state.last_smoothed ? state.smoothed.get() : state.picture.get();
+}
+
+Result<Image> image_of(const gl::Framebuffer* framebuffer) {
+    if (framebuffer == nullptr) return failure("nothing has been drawn yet: draw a view first");
+    const gl::Texture& texture = framebuffer->color(0);
+    const std::vector<std::uint8_t> bytes = texture.read_bytes();
+    Image image{.width = texture.size().x,
+                .height = texture.size().y,
+                .channels = 4,
+                .type = SampleType::U8,
+                .data = {}};
+    image.data.resize(bytes.size());
+    const auto height = static_cast<std::size_t>(image.height);
+    for (std::size_t y = 0; y < height; ++y)
+        std::memcpy(image.data.data() + y * image.row_bytes(),
+                    bytes.data() + (height - 1 - y) * image.row_bytes(), image.row_bytes());
+    return image;
+}
+
+std::uintptr_t texture_of(const gl::Framebuffer* framebuffer) {
+    return framebuffer == nullptr ? 0 : framebuffer->color(0).name();
+}
+
+}  // namespace
+
+Result<gl::Framebuffer*> SizedTarget::at(glm::ivec2 size) {
+    if (framebuffer_) {
+        if (Status resized = framebuffer_->resize(size); !resized) return passed_on(resized);
+        return &*framebuffer_;
+    }
+    description_.size = size;
+    Result<gl::Framebuffer> made = gl::Framebuffer::make(description_);
+    if (!made) return passed_on(made);
+    framebuffer_ = std::move(*made);
+    return &*framebuffer_;
+}
+
+RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials made_materials,
+                             gl::Texture made_environment_brdf, GpuGroundShadow made_shadow)
+    : shaders(std::move(shader_folder)),
+      full_screen(gl::VertexArray::make({.label = "full screen"})),
+      linear(linear_sampler()),
+      materials(std::move(made_materials)),
+      environment_brdf(std::move(made_environment_brdf)),
+      shadow(std::move(made_shadow)),
+      gbuffer("gbuffer"),
+      strip_gbuffer("strip gbuffer"),
+      inspection(with_depth(color_target("inspection", gl::Format::Rgba32F))),
+      radiance(with_depth(color_target("radiance", gl::Format::Rgba16F))),
+      left(color_target("left", gl::Format::Rgba16F)),
+      right(color_target("right", gl::Format::Rgba16F)),
+      picture(color_target("picture", gl::Format::Rgba8)),
+      smoothed(color_target("smoothed", gl::Format::Rgba8)),
+      strip(color_target("strip", gl::Format::Rgba8)),
+      accumulation(color_target("accumulation", gl::Format::Rgba32F)),
+      probe_values(color_target("probe", gl::Format::Rgba32F)) {}
+
+Status require_content(const RendererState& state) {
+    if (!state.scene) return failure("nothing to draw: set a scene first");
+    if (!state.environment) return failure("nothing to light with: set an environment first");
+    return {};
+}
+
+Renderer::Renderer(std::unique_ptr<RendererState> state) : state_(std::move(state)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Result<Renderer> Renderer::create() {
+    const Result<std::filesystem::path> shaders = resource_folder("shaders");
+    if (!shaders) return passed_on(shaders);
+    Result<GpuMaterials> materials = GpuMaterials::make();
+    if (!materials) return passed_on(materials);
+    Result<gl::Texture> brdf = upload_environment_brdf();
+    if (!brdf) return passed_on(brdf);
+    Result<GpuGroundShadow> shadow =
+        upload_ground_shadow({.side = 1, .extent = 0.0f, .light = {255}});
+    if (!shadow) return passed_on(shadow);
+    return Renderer(std::make_unique<RendererState>(*shaders, std::move(*materials),
+                                                    std::move(*brdf), std::move(*shadow)));
+}
+
+Status Renderer::set_scene(const ScenePtr& scene) {
+    GpuScene uploaded = upload_scene(scene);
+    Result<GpuGroundShadow> shadow =
+        upload_ground_shadow(ground_shadow(*scene, uploaded.bounds_world));
+    if (!shadow) return passed_on(shadow);
+    state_->scene = std::move(uploaded);
+    state_->shadow = std::move(*shadow);
+    return {};
+}
+
+Status Renderer::set_material(int source_material, const SurfaceMaterial& surface,
+                              const std::optional<TexelRect>& changed) {
+    return state_->materials.set(source_material, surface, changed);
+}
+
+void Renderer::clear_materials() {
+    state_->materials.clear();
+}
+
+Status Renderer::set_environment(const FilteredEnvironment& environment) {
+    Result<GpuEnvironment> uploaded = upload_environment(environment);
+    if (!uploaded) return passed_on(uploaded);
+    state_->environment = std::move(*uploaded);
+    return {};
+}
+
+Result<FrameStats> Renderer::draw(const View& view, PictureSize size) {
+    if (Status ready = require_content(*state_); !ready) return passed_on(ready);
+    if (Status fits = check_size(size); !fits) return passed_on(fits);
+    const Result<gl::Framebuffer*> picture = state_->picture.at(vector_of(size));
+    if (!picture) return passed_on(picture);
+    if (Status drawn = draw_frame(*state_, view, vector_of(size), {.framebuffer = *picture});
+        !drawn)
+        return passed_on(drawn);
+    state_->last_view = view;
+    state_->last_size = size;
+    state_->last_smoothed = view.anti_aliasing == AntiAliasing::Fast &&
+                            view.channel == ChannelView::Final &&
+                            view.compare != CompareMode::Difference;
+    if (state_->last_smoothed) {
+        const Result<gl::Framebuffer*> smoothed = state_->smoothed.at(vector_of(size));
+        if (!smoothed) return passed_on(smoothed);
+        if (Status done = draw_smoothed(*state_, **picture, **smoothed); !done)
+            return passed_on(done);
+    }
+    return frame_stats(*state_, view);
+}
+
+Status Renderer::draw_strip(const View& view, PictureSize thumbnail) {
+    if (Status ready = require_content(*state_); !ready) return ready;
+    const PictureSize whole{thumbnail.width * kStripChannelCount, thumbnail.height};
+    if (Status fits = check_size(whole); !fits) return fits;
+    const Result<gl::Framebuffer*> strip = state_->strip.at(vector_of(whole));
+    if (!strip) return passed_on(strip);
+    return draw_strip_frame(*state_, view, vector_of(thumbnail), **strip);
+}
+
+std::uintptr_t Renderer::picture_texture() const {
+    return texture_of(shown_picture(*state_));
+}
+
+std::uintptr_t Renderer::strip_texture() const {
+    return texture_of(state_->strip.get());
+}
+
+Result<Image> Renderer::read_picture() {
+    return image_of(shown_picture(*state_));
+}
+
+Result<Image> Renderer::read_strip() {
+    return image_of(state_->strip.get());
+}
+
+const Bounds& Renderer::bounds_world() const {
+    static const Bounds kEmpty;
+    return state_->scene ? state_->scene->bounds_world : kEmpty;
+}
+
+}  // namespace patina::render

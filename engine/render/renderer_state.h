@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What a Renderer owns. Inside engine/render only; geometry_passes.h and picture_passes.h are the
+/// steps, frame.h puts them together.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/sampler.h"
+#include "render/gpu_environment.h"
+#include "render/gpu_materials.h"
+#include "render/gpu_scene.h"
+#include "render/pass_timers.h"
+#include "render/renderer.h"
+#include "render/shader_variants.h"
+
+namespace patina::render {
+
+/// A framebuffer made when it is first needed and made anew for another size.
+class SizedTarget {
+  public:
+    explicit SizedTarget(gl::FramebufferDescription description)
+        : description_(std::move(description)) {}
+    Result<gl::Framebuffer*> at(glm::ivec2 size);
+    /// Null before the first use.
+    const gl::Framebuffer* get() const { return framebuffer_ ? &*framebuffer_ : nullptr; }
+    std::size_t bytes() const { return framebuffer_ ? framebuffer_->bytes() : 0; }
+
+  private:
+    gl::FramebufferDescription description_;
+    std::optional<gl::Framebuffer> framebuffer_;
+};
+
+/// The G-buffer of DESIGN section 5 in its two layouts: position_depth is rebuilt from the hardware
+/// depth, and `surface` is there only when a material is unlit or has a specular factor.
+struct GBufferTargets {
+    explicit GBufferTargets(const std::string& label);
+    SizedTarget plain;
+    SizedTarget with_surface;
+};
+
+struct RendererState {
+    RendererState(std::filesystem::path shader_folder, GpuMaterials made_materials,
+                  gl::Texture made_environment_brdf, GpuGroundShadow made_shadow);
+
+    ShaderVariants shaders;
+    gl::VertexArray full_screen;
+    gl::Sampler linear;
+    PassTimers timers;
+
+    GpuMaterials materials;
+    gl::Texture environment_brdf;
+    std::optional<GpuEnvironment> environment;
+    std::optional<GpuScene> scene;
+    GpuGroundShadow shadow;
+
+    GBufferTargets gbuffer;
+    GBufferTargets strip_gbuffer;
+    SizedTarget inspection;
+    SizedTarget radiance;  ///< blended surfaces over the deferred light
+    SizedTarget left;      ///< the two sides of a difference
+    SizedTarget right;
+    SizedTarget picture;
+    SizedTarget smoothed;
+    SizedTarget strip;
+    SizedTarget accumulation;
+    SizedTarget probe_values;  ///< one texel a channel
+
+    View last_view;  ///< of the last draw
+    PictureSize last_size;
+    bool last_smoothed = false;  ///< the picture is in `smoothed`
+};
+
+/// A failure that says so while no scene or no environment has been set.
+Status require_content(const RendererState& state);
+
+}  // namespace patina::render

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+
+/// Stills: the mean of many draws with sub-pixel offsets, accumulated in 32-bit floats.
+
+#include <cmath>
+#include <cstring>
+
+#include "core/formulae/formulae.h"
+#include "core/parallel.h"
+#include "render/frame.h"
+#include "render/renderer.h"
+
+namespace patina::render {
+namespace {
+
+constexpr int kMaxSamples = 65536;
+
+/// Where sample i lies in its pixel, from the middle; the first is the middle. Martin Roberts's R2
+/// sequence (2018): powers of the inverse of the plastic number, well spread for any count.
+glm::vec2 sample_offset(int i) {
+    constexpr double kA1 = 0.7548776662466927;
+    constexpr double kA2 = 0.5698402909980532;
+    const auto share = [&](double a) {
+        const double x = 0.5 + a * i;
+        return static_cast<float>(x - std::floor(x) - 0.5);
+    };
+    return {share(kA1), share(kA2)};
+}
+
+/// The mean of `samples` draws: RGBA, premultiplied, bottom row first.
+Result<std::vector<float>> accumulate(RendererState& state, const View& view, PictureSize size,
+                                      int samples, OutputMode output) {
+    if (Status ready = require_content(state); !ready) return passed_on(ready);
+    if (samples < 1 || samples > kMaxSamples)
+        return failure("{} samples cannot be averaged: give 1 to {}", samples, kMaxSamples);
+    if (size.width < 1 || size.height < 1 || size.width > kMaxPictureSide ||
+        size.height > kMaxPictureSide)
+        return failure("a picture of {} x {} cannot be drawn: its sides are 1 to {} pixels",
+                       size.width, size.height, kMaxPictureSide);
+    const glm::ivec2 pixels(size.width, size.height);
+    const Result<gl::Framebuffer*> sum = state.accumulation.at(pixels);
+    if (!sum) return passed_on(sum);
+    { const gl::Pass clear({.label = "clear", .target = *sum, .clear_colors = {glm::vec4(0.0f)}}); }
+    for (int i = 0; i < samples; ++i)
+        if (Status drawn = draw_frame(state, view, pixels,
+                                      {.framebuffer = *sum,
+                                       .output = output,
+                                       .add = true,
+                                       .jitter_pixels = sample_offset(i)});
+            !drawn)
+            return passed_on(drawn);
+    std::vector<float> mean = (*sum)->read_color(0, {0, 0}, pixels);
+    const float share = 1.0f / static_cast<float>(samples);
+    for (float& value : mean) value *= share;
+    return mean;
+}
+
+Image empty_image(PictureSize size, SampleType type) {
+    Image image{
+        .width = size.width, .height = size.height, .channels = 4, .type = type, .data = {}};
+    image.data.resize(image.row_bytes() * static_cast<std::size_t>(size.height));
+    return image;
+}
+
+/// As dither() of passes/output.glsl, so that a still shows no banding either.
+float dither(int x, int y_from_bottom) {
+    const float inner =
+        0.06711056f * static_cast<float>(x) + 0.00583715f * static_cast<float>(y_from_bottom);
+    const float scaled = 52.9829189f * (inner - std::floor(inner));
+    return scaled - std::floor(scaled) - 0.5f;
+}
+
+std::uint8_t byte_of(float encoded, float noise) {
+    return static_cast<std::uint8_t>(std::clamp(encoded * 255.0f + noise, 0.0f, 255.0f) + 0.5f);
+}
+
+/// One pixel of premultiplied linear light to straight sRGB bytes.
+void encode_pixel(const float* rgba, float noise, std::byte* out) {
+    const float alpha = std::clamp(rgba[3], 0.0f, 1.0f);
+    for (int c = 0; c < 3; ++c) {
+        const float linear = alpha > 0.0f ? std::clamp(rgba[c] / alpha, 0.0f, 1.0f) : 0.0f;
+        out[c] = std::byte{byte_of(formulae::srgb_from_linear(linear), noise)};
+    }
+    out[3] = std::byte{byte_of(alpha, 0.0f)};
+}
+
+}  // namespace
+
+Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples) {
+    const Result<std::vector<float>> mean =
+        accumulate(*state_, view, size, samples, OutputMode::Display);
+    if (!mean) return passed_on(mean);
+    // Channels hold exact numbers: noise would change them.
+    const bool dithered = info(view.channel).display == ChannelDisplay::Picture;
+    Image image = empty_image(size, SampleType::U8);
+    parallel_for(0, size.height, 16, [&](std::int64_t first, std::int64_t last) {
+        for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
+            const int from_bottom = size.height - 1 - y;
+            const float* row = mean->data() + std::size_t{4} *
+                                                  static_cast<std::size_t>(from_bottom) *
+                                                  static_cast<std::size_t>(size.width);
+            std::byte* out = image.data.data() + static_cast<std::size_t>(y) * image.row_bytes();
+            for (int x = 0; x < size.width; ++x)
+                encode_pixel(row + 4 * x, dithered ? dither(x, from_bottom) : 0.0f, out + 4 * x);
+        }
+    });
+    return image;
+}
+
+Result<Image> Renderer::still_linear(const View& view, PictureSize size, int samples) {
+    const Result<std::vector<float>> mean =
+        accumulate(*state_, view, size, samples, OutputMode::Radiance);
+    if (!mean) return passed_on(mean);
+    Image image = empty_image(size, SampleType::F32);
+    const std::size_t row_bytes = image.row_bytes();
+    const auto* rows = reinterpret_cast<const std::byte*>(mean->data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
+        std::memcpy(image.data.data() + y * row_bytes,
+                    rows + (static_cast<std::size_t>(size.height) - 1 - y) * row_bytes, row_bytes);
+    return image;
+}
+
+}  // namespace patina::render

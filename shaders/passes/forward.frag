@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Blended surfaces, lit one by one from the farthest, over the radiance of the deferred pass.
+// Premultiplied. Constants: those of shading.glsl.
+
+#include "passes/camera.glsl"
+#include "passes/material.glsl"
+#include "passes/shading.glsl"
+
+layout(location = 0) out vec4 color;
+
+void main() {
+    Material m = sampled_material();
+    Surface s = Surface(m.base_color, m.metalness, m.normal, m.roughness, m.f0, m.f90, m.emissive,
+                        m.occlusion, position_world, material.alpha.w > 0.5);
+    vec3 v = -ray_through(picture_pixel()).direction;
+    color = vec4(radiance_of(s, lit_surface(s, v)) * m.alpha, m.alpha);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Writes all that the lighting needs to know of a surface. Targets as in engine/render/gbuffer.h.
+
+#include "passes/material.glsl"
+
+layout(location = 0) out vec4 albedo;              // base colour, metalness
+layout(location = 1) out vec4 normal_roughness;    // world, roughness
+layout(location = 2) out vec4 specular_ior;        // F0, IOR
+layout(location = 3) out vec4 emissive_occlusion;  // emissive, ambient occlusion
+#ifdef SURFACE_TARGET
+layout(location = 4) out vec4 surface;  // F90 weight, -, alpha, 1 when unlit
+#endif
+
+const float LARGEST_HALF = 65504.0;
+
+void main() {
+    Material m = sampled_material();
+    if (is_cut_out(m.alpha)) discard;
+    albedo = vec4(m.base_color, m.metalness);
+    normal_roughness = vec4(m.normal, m.roughness);
+    specular_ior = vec4(m.f0, m.ior);
+    emissive_occlusion = vec4(min(m.emissive, vec3(LARGEST_HALF)), m.occlusion);
+#ifdef SURFACE_TARGET
+    surface = vec4(m.f90, 0.0, m.alpha, material.alpha.w);
+#endif
+}

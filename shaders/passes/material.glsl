@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// What a fragment of a mesh is made of: textures and factors of its material, as glTF 2.0 states
+// them, and the extensions KHR_texture_transform, _materials_ior, _specular, _emissive_strength.
+// Laid out in engine/render/gpu_materials.cpp.
+
+#include "shared/brdf.glsl"
+
+in vec3 position_world;
+in vec3 normal_world;
+in vec4 tangent_world;
+in vec4 uvs;
+in vec4 vertex_color;
+
+struct MaterialSlot {
+    vec4 multiply;
+    vec4 add;
+    vec4 uv_row_u;  // w: the UV set
+    vec4 uv_row_v;  // w: 1 where there is a texture
+};
+layout(std140) uniform MaterialBlock {
+    MaterialSlot slots[5];
+    vec4 alpha;         // mode (0 opaque, 1 mask, 2 blend), cutoff, double-sided, unlit
+    vec4 specular;      // colour, factor
+    vec4 ior_emissive;  // IOR, emissive strength
+} material;
+
+uniform sampler2D base_color_map;
+uniform sampler2D metallic_roughness_map;
+uniform sampler2D normal_map;
+uniform sampler2D occlusion_map;
+uniform sampler2D emissive_map;
+
+const int SLOT_BASE_COLOR = 0;
+const int SLOT_METALLIC_ROUGHNESS = 1;
+const int SLOT_NORMAL = 2;
+const int SLOT_OCCLUSION = 3;
+const int SLOT_EMISSIVE = 4;
+
+struct Material {
+    vec3 base_color;
+    float alpha;
+    float metalness;
+    float roughness;
+    vec3 normal;  // world, unit, towards the side that is seen
+    vec3 f0;
+    float f90;
+    float ior;
+    vec3 emissive;
+    float occlusion;
+};
+
+vec4 slot_value(int slot, sampler2D map) {
+    vec4 row_u = material.slots[slot].uv_row_u;
+    vec4 row_v = material.slots[slot].uv_row_v;
+    vec3 uv = vec3(row_u.w < 0.5 ? uvs.xy : uvs.zw, 1.0);
+    vec4 texel = row_v.w < 0.5 ? vec4(1.0)
+                               : texture(map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv)));
+    return texel * material.slots[slot].multiply + material.slots[slot].add;
+}
+
+/// The normal map is in tangent space: x along the tangent (+U), y along the bitangent (up in the
+/// picture), z out of the surface. The back of a double-sided surface is seen with all three turned.
+vec3 shading_normal() {
+    vec3 normal = normalize(normal_world);
+    vec4 row_u = material.slots[SLOT_NORMAL].uv_row_u;
+    vec4 row_v = material.slots[SLOT_NORMAL].uv_row_v;
+    if (row_v.w > 0.5 && tangent_world.w != 0.0) {
+        vec3 uv = vec3(row_u.w < 0.5 ? uvs.xy : uvs.zw, 1.0);
+        vec3 stored = texture(normal_map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv))).xyz;
+        vec3 mapped = (stored * 2.0 - 1.0) * material.slots[SLOT_NORMAL].multiply.xyz +
+                      material.slots[SLOT_NORMAL].add.xyz;
+        // Not orthogonalised and not normalised one by one: MikkTSpace bakes are undone exactly so.
+        vec3 bitangent = tangent_world.w * cross(normal_world, tangent_world.xyz);
+        vec3 turned =
+            mapped.x * tangent_world.xyz + mapped.y * bitangent + mapped.z * normal_world;
+        normal = dot(turned, turned) > 0.0 ? normalize(turned) : normal;
+    }
+    return gl_FrontFacing ? normal : -normal;
+}
+
+Material sampled_material() {
+    vec4 base = slot_value(SLOT_BASE_COLOR, base_color_map) * vertex_color;
+    vec4 metallic_roughness = slot_value(SLOT_METALLIC_ROUGHNESS, metallic_roughness_map);
+    Material m;
+    m.base_color = clamp(base.rgb, 0.0, 1.0);
+    m.alpha = material.alpha.x < 0.5 ? 1.0 : clamp(base.a, 0.0, 1.0);
+    m.metalness = clamp(metallic_roughness.z, 0.0, 1.0);
+    m.roughness = clamp(metallic_roughness.y, 0.0, 1.0);
+    m.normal = shading_normal();
+    m.ior = material.ior_emissive.x;
+    m.f0 = material_f0(dielectric_f0(m.ior, material.specular.a, material.specular.rgb),
+                       m.base_color, m.metalness);
+    m.f90 = material_f90(material.specular.a, m.metalness);
+    m.emissive = slot_value(SLOT_EMISSIVE, emissive_map).rgb * material.ior_emissive.y;
+    m.occlusion = clamp(slot_value(SLOT_OCCLUSION, occlusion_map).x, 0.0, 1.0);
+    return m;
+}
+
+/// glTF's alpha mask: nothing is there where alpha is below the cutoff.
+bool is_cut_out(float alpha) {
+    return material.alpha.x > 0.5 && material.alpha.x < 1.5 && alpha < material.alpha.y;
+}
