@@ -135,6 +135,7 @@ SideArea side_area(const View& view, glm::ivec2 size, FrameSide side) {
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                   const FrameTarget& target) {
     state.timers.begin_frame();
+    state.drawn_view = view;
     const glm::ivec2 gbuffer_size = side_area(view, size, FrameSide::Left).gbuffer_size;
     const FrameCamera camera =
         frame_camera(view, state.scene->bounds_world, gbuffer_size, target.jitter_pixels);
@@ -184,13 +185,14 @@ Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumb
     return {};
 }
 
-FrameStats frame_stats(RendererState& state, const View& view) {
+FrameStats frame_stats(RendererState& state) {
+    const View& view = state.drawn_view;
     FrameStats stats;
     stats.left = side_cost(state, view.left, FrameSide::Left);
     if (view.compare != CompareMode::Single)
         stats.right = side_cost(state, view.right, FrameSide::Right);
     stats.material_texture_bytes = state.materials.texture_bytes();
-    stats.triangles = state.scene->triangles;
+    stats.triangles = state.scene ? state.scene->triangles : 0;
     return stats;
 }
 

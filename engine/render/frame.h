@@ -29,6 +29,7 @@ struct SideArea {
 };
 SideArea side_area(const View& view, glm::ivec2 size, FrameSide side);
 
-FrameStats frame_stats(RendererState& state, const View& view);
+/// The costs of the last frame drawn.
+FrameStats frame_stats(RendererState& state);
 
 }  // namespace patina::render

@@ -163,7 +163,11 @@ Result<FrameStats> Renderer::draw(const View& view, PictureSize size) {
         if (Status done = draw_smoothed(*state_, **picture, **smoothed); !done)
             return passed_on(done);
     }
-    return frame_stats(*state_, view);
+    return frame_stats(*state_);
+}
+
+FrameStats Renderer::stats() const {
+    return frame_stats(*state_);
 }
 
 Status Renderer::draw_strip(const View& view, PictureSize thumbnail) {

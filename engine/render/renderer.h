@@ -108,6 +108,8 @@ class Renderer {
     /// Draws a view at `size`; the picture stays in a texture of the renderer until the next draw.
     /// Sides are 1 to kMaxPictureSide. Costs are those of the last frame whose queries have ended.
     Result<FrameStats> draw(const View& view, PictureSize size);
+    /// The costs of the last frame drawn, of stills too.
+    FrameStats stats() const;
     /// The name of that texture for Dear ImGui (ImTextureID), sRGB-encoded RGBA8, row 0 at the
     /// bottom as OpenGL has it. Valid until the next draw of another size.
     std::uintptr_t picture_texture() const;

@@ -70,7 +70,8 @@ struct RendererState {
     SizedTarget accumulation;
     SizedTarget probe_values;  ///< one texel a channel
 
-    View last_view;  ///< of the last draw
+    View drawn_view;  ///< of the last frame, a sample of a still too
+    View last_view;   ///< of the last draw
     PictureSize last_size;
     bool last_smoothed = false;  ///< the picture is in `smoothed`
 };
