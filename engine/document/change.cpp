@@ -36,14 +36,12 @@ Result<Document> with_layer(const Document& before, MaterialId material, LayerId
         if (!path)
             return failure("there is no layer {} in {}", id.value,
                            quoted_for_message(copy.name, 80));
+        if (Status status = check_unlocked(copy.stack, *path, lock); !status) return status;
+
         const std::span<const std::size_t> whole = *path;
         const std::span<const std::size_t> parents = whole.first(whole.size() - 1);
-        Status status = check_unlocked(copy.stack, parents);
-        if (status && lock == OwnLock::Respected) status = check_unlocked(copy.stack, whole);
-        if (!status) return status;
-
         Layer changed = *layer_at(copy.stack, whole);
-        if (status = change(changed); !status) return status;
+        if (Status status = change(changed); !status) return status;
         copy.stack = with_list_at(copy.stack, parents, [&](LayerList& list) {
             LayerPtr& layer = list[whole.back()];
             if (changed != *layer) layer = std::make_shared<const Layer>(std::move(changed));

@@ -19,8 +19,6 @@ using StackChange =
     std::function<Result<LayerList>(const LayerList& stack, std::uint64_t& next_id)>;
 Result<Document> with_stack(const Document& before, MaterialId id, const StackChange& change);
 
-/// Whether a layer's own lock stops a change. A locked group around it always does.
-enum class OwnLock { Respected, Ignored };
 using LayerChange = std::function<Status(Layer& copy)>;
 Result<Document> with_layer(const Document& before, MaterialId material, LayerId id, OwnLock lock,
                             const LayerChange& change);

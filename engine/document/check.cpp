@@ -67,6 +67,13 @@ Status check_own_values(const Layer& layer) {
 
 }  // namespace
 
+bool feeds_number(SourceUse use) {
+    return info(value_parameter(use)).kind == ParameterKind::Number;
+}
+bool feeds_color(SourceUse use) {
+    return info(value_parameter(use)).kind == ParameterKind::Color;
+}
+
 Status check_name(std::string_view name) {
     if (name.empty()) return failure("a name cannot be empty");
     if (name.size() > kMaxNameBytes)
@@ -84,8 +91,7 @@ Status check_color(Parameter parameter, const glm::vec3& value) {
 
 Status check_value(SourceUse use, const glm::vec3& value) {
     const Parameter parameter = value_parameter(use);
-    const ParameterKind kind = info(parameter).kind;
-    if (kind == ParameterKind::Number) return check_range(parameter, value.x);
+    if (feeds_number(use)) return check_range(parameter, value.x);
     if (Status status = check_color(parameter, value); !status) return status;
     if (parameter == Parameter::NormalValue && glm::length(value) < 1e-6f)
         return failure("a normal cannot have length 0");
@@ -93,9 +99,8 @@ Status check_value(SourceUse use, const glm::vec3& value) {
 }
 
 glm::vec3 canonical_value(SourceUse use, const glm::vec3& value) {
-    const Parameter parameter = value_parameter(use);
-    if (info(parameter).kind == ParameterKind::Number) return {value.x, 0.0f, 0.0f};
-    if (parameter != Parameter::NormalValue) return value;
+    if (feeds_number(use)) return {value.x, 0.0f, 0.0f};
+    if (feeds_color(use)) return value;
     const float length = glm::length(value);
     // Left as it is when it is a unit vector already, so that doing this twice changes nothing.
     return std::abs(length - 1.0f) < 1e-5f ? value : value / length;
@@ -137,8 +142,9 @@ Status check_levels(const Levels& levels) {
                                          check_range(Parameter::LevelsOutLow, levels.out_low),
                                          check_range(Parameter::LevelsOutHigh, levels.out_high)});
     if (!ranges) return ranges;
-    if (levels.in_low < levels.in_high) return {};
-    return failure("levels need black below white, got {} and {}", levels.in_low, levels.in_high);
+    if (levels.in_low <= levels.in_high) return {};
+    return failure("levels need black no higher than white, got {} and {}", levels.in_low,
+                   levels.in_high);
 }
 
 Status check_mask(const Mask& mask) {

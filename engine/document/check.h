@@ -17,6 +17,10 @@ namespace patina {
 /// The channel that a source feeds; unset for the source of a mask entry.
 using SourceUse = std::optional<Channel>;
 
+/// Whether values for that use are one number (kept in x) or a colour; else they are normals.
+bool feeds_number(SourceUse use);
+bool feeds_color(SourceUse use);
+
 /// 1 to kMaxNameBytes bytes of UTF-8 without control characters.
 Status check_name(std::string_view name);
 

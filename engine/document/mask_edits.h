@@ -48,8 +48,8 @@ Edit set_mask_entry_opacity(const Material& material, const Layer& layer, const 
                             float opacity);
 Edit set_mask_entry_invert(const Material& material, const Layer& layer, const MaskEntry& entry,
                            bool invert);
-/// Levels: in and out 0 to 1, in_low below in_high, gamma 0.1 to 10. One drag of any of the five is
-/// one step.
+/// Levels: in and out 0 to 1, in_low at most in_high (equal: a threshold), gamma 0.1 to 10. One
+/// drag of any of the five is one step.
 Edit set_mask_entry_levels(const Material& material, const Layer& layer, const MaskEntry& entry,
                            const Levels& levels);
 

@@ -110,12 +110,14 @@ LayerList with_list_at(const LayerList& stack, std::span<const std::size_t> path
     return copy;
 }
 
-Status check_unlocked(const LayerList& stack, std::span<const std::size_t> path) {
+Status check_unlocked(const LayerList& stack, std::span<const std::size_t> path, OwnLock lock) {
     for (std::size_t depth = 1; depth <= path.size(); ++depth) {
         const Layer& layer = *layer_at(stack, path.first(depth));
         if (!layer.locked) continue;
         const std::string name = quoted_for_message(layer.name, 80);
-        if (depth == path.size()) return failure("{} is locked: unlock it first", name);
+        const bool is_itself = depth == path.size();
+        if (is_itself && lock == OwnLock::Ignored) continue;
+        if (is_itself) return failure("{} is locked: unlock it first", name);
         return failure("{} is in {}, which is locked: unlock it first",
                        quoted_for_message(layer_at(stack, path)->name, 80), name);
     }

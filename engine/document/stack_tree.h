@@ -35,8 +35,12 @@ int layer_depth(const LayerList& layers);
 LayerList with_list_at(const LayerList& stack, std::span<const std::size_t> path,
                        const std::function<void(LayerList&)>& change);
 
-/// Fails when one of the layers on the way down to `path` is locked, the last one included.
-Status check_unlocked(const LayerList& stack, std::span<const std::size_t> path);
+/// Whether a layer's own lock stops a change. A locked group around it always does.
+enum class OwnLock { Respected, Ignored };
+
+/// Fails when the layer at `path` may not be changed because it or a group around it is locked.
+Status check_unlocked(const LayerList& stack, std::span<const std::size_t> path,
+                      OwnLock lock = OwnLock::Respected);
 
 /// The layer with new ids from `next_id` on: first its own, then its mask entries', then its
 /// children's.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/layer_json.h"
-
+// The half of layer_json.h that reads, and the ids of what was read.
 #include <algorithm>
 
 #include "document/check.h"
+#include "document/layer_json.h"
 #include "document/mask_edits.h"
 
 namespace patina {
@@ -11,177 +11,6 @@ namespace {
 
 /// Ids are whole numbers that every JSON reader keeps exactly.
 constexpr std::int64_t kLargestId = std::int64_t{1} << 53;
-
-bool is_number(SourceUse use) {
-    return info(value_parameter(use)).kind == ParameterKind::Number;
-}
-bool is_color(SourceUse use) {
-    return info(value_parameter(use)).kind == ParameterKind::Color;
-}
-
-// ---- Writing -----------------------------------------------------------------------------------
-
-Json value_to_json(SourceUse use, const glm::vec3& value) {
-    if (is_number(use) && value.y == 0.0f && value.z == 0.0f) return json_of(value.x);
-    if (is_color(use)) return json_of(value);
-    return Json::array({json_of(value.x), json_of(value.y), json_of(value.z)});
-}
-
-template <typename Value>
-void add_unless(Json& json, std::string_view key, const Value& value, const Value& standard) {
-    if (value != standard) json[std::string(key)] = value;
-}
-void add_unless(Json& json, std::string_view key, float value, float standard) {
-    if (value != standard) json[std::string(key)] = json_of(value);
-}
-void add_unless(Json& json, std::string_view key, const glm::vec2& value,
-                const glm::vec2& standard) {
-    if (value != standard) json[std::string(key)] = json_of(value);
-}
-void add_unless(Json& json, std::string_view key, const glm::vec3& value,
-                const glm::vec3& standard) {
-    if (value != standard) json[std::string(key)] = json_of(value);
-}
-template <typename Enumeration>
-void add_choice_unless(Json& json, std::string_view key, Enumeration value, Enumeration standard) {
-    if (value != standard) json[std::string(key)] = choice(value).id;
-}
-
-void add_transform(Json& json, const UvTransform& transform) {
-    const UvTransform standard;
-    if (transform == standard) return;
-    Json part = Json::object();
-    add_unless(part, "offset", transform.offset, standard.offset);
-    add_unless(part, "scale", transform.scale, standard.scale);
-    add_unless(part, "rotation", transform.rotation_degrees, standard.rotation_degrees);
-    json["transform"] = std::move(part);
-}
-
-Json part_to_json(SourceUse use, const ConstantSource& source) {
-    return value_to_json(use, source.value);
-}
-
-Json part_to_json(SourceUse, const ImageSource& source) {
-    const ImageSource standard;
-    Json json = {{"kind", "image"}, {"image", to_hex(source.image)}};
-    add_choice_unless(json, "color-space", source.color_space, standard.color_space);
-    add_choice_unless(json, "pick", source.pick, standard.pick);
-    add_unless(json, "invert", source.invert, standard.invert);
-    add_unless(json, "directx-normal", source.directx_normal, standard.directx_normal);
-    add_unless(json, "alpha-is-coverage", source.alpha_is_coverage, standard.alpha_is_coverage);
-    add_unless(json, "uv-set", source.uv_set, standard.uv_set);
-    add_transform(json, source.transform);
-    add_choice_unless(json, "wrap-u", source.wrap_u, standard.wrap_u);
-    add_choice_unless(json, "wrap-v", source.wrap_v, standard.wrap_v);
-    add_choice_unless(json, "filter", source.filter, standard.filter);
-    add_unless(json, "multiply", source.multiply, standard.multiply);
-    add_unless(json, "add", source.add, standard.add);
-    return json;
-}
-
-Json part_to_json(SourceUse use, const ProceduralSource& source) {
-    const ProceduralSource standard;
-    Json json = {{"kind", choice(source.kind).id}};
-    add_unless(json, "seed", source.seed, standard.seed);
-    add_unless(json, "scale", source.scale, standard.scale);
-    add_unless(json, "octaves", source.octaves, standard.octaves);
-    add_unless(json, "contrast", source.contrast, standard.contrast);
-    add_unless(json, "balance", source.balance, standard.balance);
-    add_transform(json, source.transform);
-    if (source.ramp == standard.ramp) return json;
-    Json ramp = Json::array();
-    for (const RampStop& stop : source.ramp)
-        ramp.push_back(
-            {{"position", json_of(stop.position)}, {"value", value_to_json(use, stop.value)}});
-    json["ramp"] = std::move(ramp);
-    return json;
-}
-
-Json source_to_json(SourceUse use, const Source& source) {
-    return std::visit([&](const auto& part) { return part_to_json(use, part); }, source);
-}
-
-Json levels_to_json(const Levels& levels) {
-    const Levels standard;
-    Json json = Json::object();
-    add_unless(json, "in-low", levels.in_low, standard.in_low);
-    add_unless(json, "in-high", levels.in_high, standard.in_high);
-    add_unless(json, "gamma", levels.gamma, standard.gamma);
-    add_unless(json, "out-low", levels.out_low, standard.out_low);
-    add_unless(json, "out-high", levels.out_high, standard.out_high);
-    return json;
-}
-
-Json entry_to_json(const MaskEntry& entry, JsonIds ids) {
-    const MaskEntry standard;
-    Json json = Json::object();
-    if (ids == JsonIds::Kept) json["id"] = entry.id.value;
-    json["name"] = entry.name;
-    add_unless(json, "visible", entry.visible, standard.visible);
-    add_choice_unless(json, "combine", entry.combine, standard.combine);
-    add_unless(json, "opacity", entry.opacity, standard.opacity);
-    add_unless(json, "invert", entry.invert, standard.invert);
-    json["source"] = source_to_json(std::nullopt, entry.source);
-    if (entry.levels != standard.levels) json["levels"] = levels_to_json(entry.levels);
-    return json;
-}
-
-Json mask_to_json(const Mask& mask, JsonIds ids) {
-    const Mask standard;
-    Json json = Json::object();
-    add_unless(json, "enabled", mask.enabled, standard.enabled);
-    add_unless(json, "invert", mask.invert, standard.invert);
-    add_unless(json, "base", mask.base, standard.base);
-    if (mask.entries.empty()) return json;
-    Json entries = Json::array();
-    for (const MaskEntry& entry : mask.entries) entries.push_back(entry_to_json(entry, ids));
-    json["entries"] = std::move(entries);
-    return json;
-}
-
-Json channels_to_json(const PerChannel<ChannelSettings>& channels, bool of_group) {
-    const PerChannel<ChannelSettings> standards = default_channels();
-    Json json = Json::object();
-    for (const ChannelInfo& row : kChannels) {
-        const ChannelSettings& settings = at(channels, row.channel);
-        ChannelSettings standard = at(standards, row.channel);
-        standard.enabled = of_group;
-        if (settings == standard) continue;
-        Json part = Json::object();
-        if (!settings.enabled) part["enabled"] = false;
-        const bool has_source = settings.source != standard.source;
-        // A fill's channel that is on says its value, be it the standard one, for whoever reads it.
-        if (has_source || (settings.enabled && !of_group))
-            part["source"] = source_to_json(row.channel, settings.source);
-        if (settings.mode) part["mode"] = info(*settings.mode).id;
-        add_unless(part, "opacity", settings.opacity, standard.opacity);
-        json[std::string(row.id)] = std::move(part);
-    }
-    return json;
-}
-
-Json layer_to_json(const Layer& layer, JsonIds ids) {
-    const Layer standard;
-    Json json = Json::object();
-    if (ids == JsonIds::Kept) json["id"] = layer.id.value;
-    json["name"] = layer.name;
-    json["kind"] = layer.is_group() ? "group" : "fill";
-    add_unless(json, "visible", layer.visible, standard.visible);
-    add_unless(json, "locked", layer.locked, standard.locked);
-    add_unless(json, "opacity", layer.opacity, standard.opacity);
-    if (layer.mode != standard.mode) json["mode"] = info(layer.mode).id;
-    add_choice_unless(json, "blend-space", layer.blend_space, standard.blend_space);
-    if (Json channels = channels_to_json(layer.channels, layer.is_group()); !channels.empty())
-        json["channels"] = std::move(channels);
-    if (Json mask = mask_to_json(layer.mask, ids); !mask.empty()) json["mask"] = std::move(mask);
-    if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
-        add_unless(json, "open", group->open, GroupContent{}.open);
-        json["layers"] = layers_to_json(group->children, ids);
-    }
-    return json;
-}
-
-// ---- Reading -----------------------------------------------------------------------------------
 
 void note(const Status& status, const std::string& pointer, JsonFaults& faults) {
     if (!status) faults.add(pointer, "is not valid: " + status.error().message);
@@ -199,12 +28,12 @@ std::optional<BlendMode> read_mode(JsonObject& object) {
 glm::vec3 read_value(SourceUse use, const Json& json, const std::string& pointer,
                      JsonFaults& faults) {
     const Parameter parameter = value_parameter(use);
-    if (json.is_number() && is_number(use))
-        return {json_number(json, parameter, pointer, faults), 0.0f, 0.0f};
-    if (json.is_number() && is_color(use))
+    if (feeds_number(use)) return {json_number(json, parameter, pointer, faults), 0.0f, 0.0f};
+    if (json.is_number() && feeds_color(use))
         return glm::vec3(json_number(json, parameter, pointer, faults));
     if (!json.is_array() || json.size() != 3) {
-        faults.add(pointer, is_number(use) ? "is not a number" : "is not an array of 3 numbers");
+        faults.add(pointer, feeds_color(use) ? "is neither a number nor 3 of them"
+                                             : "is not an array of 3 numbers");
         return glm::vec3(0.0f);
     }
     glm::vec3 value;
@@ -454,12 +283,6 @@ std::uint64_t issue_if_needed(std::uint64_t id, IssuedIds& issued) {
 }
 
 }  // namespace
-
-Json layers_to_json(const LayerList& layers, JsonIds ids) {
-    Json json = Json::array();
-    for (const LayerPtr& layer : layers) json.push_back(layer_to_json(*layer, ids));
-    return json;
-}
 
 LayerList layers_from_json(const Json& array, const std::string& pointer, JsonFaults& faults) {
     LayerList layers = LayerReader(faults).read_list(array, pointer, 1);
