@@ -123,7 +123,8 @@ std::vector<bool> GltfImages::own_views() {
     const Json& views = gltf_.array("bufferViews");
     std::vector<bool> own(views.size(), false);
     const auto set = [&](int view, bool value) {
-        if (view >= 0 && view < static_cast<int>(own.size())) own[static_cast<std::size_t>(view)] = value;
+        if (view >= 0 && view < static_cast<int>(own.size()))
+            own[static_cast<std::size_t>(view)] = value;
     };
     for (int i = 0; i < images_.size(); ++i)
         if (images_.is_own(i)) set(index_at(images_[i], "bufferView"), true);
@@ -133,15 +134,18 @@ std::vector<bool> GltfImages::own_views() {
     // Their bytes can be replaced only where nothing else lies behind or between them.
     std::uint64_t own_begin = source_.binary_chunk.size(), own_end = 0, others_end = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const auto begin = static_cast<std::uint64_t>(std::max(index_at(views[i], "byteOffset"), 0));
-        const auto end = begin + static_cast<std::uint64_t>(std::max(index_at(views[i], "byteLength"), 0));
+        const auto begin =
+            static_cast<std::uint64_t>(std::max(index_at(views[i], "byteOffset"), 0));
+        const auto end =
+            begin + static_cast<std::uint64_t>(std::max(index_at(views[i], "byteLength"), 0));
         if (own[i]) own_begin = std::min(own_begin, begin);
         if (own[i])
             own_end = std::max(own_end, end);
         else if (index_at(views[i], "buffer") == 0)
             others_end = std::max(others_end, end);
     }
-    const bool replaceable = own_begin >= others_end && aligned(own_end) >= source_.binary_chunk.size();
+    const bool replaceable =
+        own_begin >= others_end && aligned(own_end) >= source_.binary_chunk.size();
     if (!replaceable) own.assign(own.size(), false);
     return own;
 }
@@ -160,8 +164,8 @@ int GltfImages::add_image(const std::string& name, const std::string& mime_type,
 
 int GltfImages::texture(int image, int sampler) {
     for (int i = 0; i < textures_.size(); ++i)
-        if (index_at(textures_[i], "source") == image && index_at(textures_[i], "sampler") == sampler &&
-            !textures_[i].contains("extensions"))
+        if (index_at(textures_[i], "source") == image &&
+            index_at(textures_[i], "sampler") == sampler && !textures_[i].contains("extensions"))
             return i;
     Json texture = Json::object();
     if (sampler >= 0) texture["sampler"] = sampler;
@@ -169,14 +173,17 @@ int GltfImages::texture(int image, int sampler) {
     return textures_.add(std::move(texture));
 }
 
-int GltfImages::sampler(Wrap wrap_u, Wrap wrap_v, Filter filter) {
+int GltfImages::sampler(Wrap wrap_u, Wrap wrap_v, Filter filter, int preferred) {
     const bool nearest = filter == Filter::Nearest;
+    const auto fits = [&](int i) {
+        return wrap_code_at(samplers_[i], "wrapS") == wrap_code(wrap_u) &&
+               wrap_code_at(samplers_[i], "wrapT") == wrap_code(wrap_v) &&
+               (index_at(samplers_[i], "magFilter") == kNearest) == nearest;
+    };
+    if (preferred >= 0 && preferred < samplers_.size() && fits(preferred)) return preferred;
     if (wrap_u == Wrap::Repeat && wrap_v == Wrap::Repeat && !nearest) return -1;
     for (int i = 0; i < samplers_.size(); ++i)
-        if (wrap_code_at(samplers_[i], "wrapS") == wrap_code(wrap_u) &&
-            wrap_code_at(samplers_[i], "wrapT") == wrap_code(wrap_v) &&
-            (index_at(samplers_[i], "magFilter") == kNearest) == nearest)
-            return i;
+        if (fits(i)) return i;
     Json sampler = {{"name", kOwnSampler}};
     if (nearest) sampler["magFilter"] = kNearest;
     if (nearest) sampler["minFilter"] = kNearest;
@@ -186,7 +193,8 @@ int GltfImages::sampler(Wrap wrap_u, Wrap wrap_v, Filter filter) {
 }
 
 int GltfImages::sampler_of(int texture) {
-    return texture >= 0 && texture < textures_.size() ? index_at(textures_[texture], "sampler") : -1;
+    return texture >= 0 && texture < textures_.size() ? index_at(textures_[texture], "sampler")
+                                                      : -1;
 }
 
 int GltfImages::image_of(int texture) {
@@ -204,7 +212,8 @@ std::optional<Hash128> GltfImages::hash_of_image(int image) {
     return known != hashes_.end() && images_.is_own(image) ? known->second : std::nullopt;
 }
 
-std::vector<Hash128> GltfImages::owned_by(const Json& material, const std::vector<int>& layer_images) {
+std::vector<Hash128> GltfImages::owned_by(const Json& material,
+                                          const std::vector<int>& layer_images) {
     std::set<Hash128> owned;
     const auto add = [&](int image) {
         if (const auto hash = hash_of_image(image)) owned.insert(*hash);
@@ -217,7 +226,8 @@ std::vector<Hash128> GltfImages::owned_by(const Json& material, const std::vecto
 
 void GltfImages::keep_what_is_used() {
     for (Json& material : gltf_.array("materials"))
-        for_each_texture_index(material, [&](const Json& index) { textures_.keep(index.get<int>()); });
+        for_each_texture_index(material,
+                               [&](const Json& index) { textures_.keep(index.get<int>()); });
     for (int i = 0; i < textures_.size(); ++i) {
         if (!textures_.is_kept(i)) continue;
         samplers_.keep(index_at(textures_[i], "sampler"));
@@ -239,15 +249,14 @@ bool GltfImages::binary_can_grow() const {
 void GltfImages::place_new_image(Json& item, const NewImage& image) {
     const std::string mime_type = text_at(item, "mimeType");
     if (source_.container == Container::Gltf) {
-        const std::string name =
-            fmt::format("{}-{}.{}", safe_file_name(text_at(item, "name"), 60), to_hex(image.hash),
-                        extension_of(mime_type));
+        const std::string name = fmt::format("{}-{}.{}", safe_file_name(text_at(item, "name"), 60),
+                                             to_hex(image.hash), extension_of(mime_type));
         item.erase("mimeType");
         item["uri"] = name;
         files_[name] = image.bytes;
     } else if (binary_can_grow()) {
-        const int view = views_.add(
-            {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", image.bytes->size()}});
+        const int view =
+            views_.add({{"buffer", 0}, {"byteOffset", 0}, {"byteLength", image.bytes->size()}});
         views_.keep(view);
         new_view_bytes_[view] = image.bytes;
         item["bufferView"] = view;
@@ -276,7 +285,8 @@ std::uint64_t GltfImages::kept_binary_bytes() {
     std::uint64_t kept = source_.binary_chunk.size();
     for (int i = 0; i < views_.size(); ++i)
         if (views_.is_own(i))
-            kept = std::min(kept, static_cast<std::uint64_t>(std::max(index_at(views_[i], "byteOffset"), 0)));
+            kept = std::min(
+                kept, static_cast<std::uint64_t>(std::max(index_at(views_[i], "byteOffset"), 0)));
     return kept;
 }
 
@@ -293,7 +303,8 @@ Status GltfImages::lay_out_binary() {
     for (int i = 0; i < views_.size(); ++i) {
         if (!views_.is_kept(i) || !(views_.is_own(i) || views_.is_new(i))) continue;
         const auto added = new_view_bytes_.find(i);
-        const auto bytes = added != new_view_bytes_.end() ? std::span(*added->second) : bytes_of_view(i);
+        const auto bytes =
+            added != new_view_bytes_.end() ? std::span(*added->second) : bytes_of_view(i);
         if (!bytes) return failure("the bytes of bufferView {} are missing", i);
         const std::uint64_t begin = aligned(tail.total_bytes);
         tail.pieces.push_back(std::span(kZeros).first(begin - tail.total_bytes));

@@ -29,13 +29,16 @@ class GltfImages {
     /// All three must outlive the object.
     GltfImages(GltfJson& gltf, const SourceAsset& source, const std::set<Hash128>& owned);
 
+    /// How many images there are now.
+    int image_count() const { return images_.size(); }
     /// The index of an image with these bytes: one of Patina's own that is there, or a new one.
     int add_image(const std::string& name, const std::string& mime_type,
                   std::shared_ptr<const Bytes> bytes);
     /// A texture of the image with the sampler (-1 for none); one that is there, or a new one.
     int texture(int image, int sampler);
-    /// A sampler that wraps and filters so; one that is there, or a new one; -1 for glTF's default.
-    int sampler(Wrap wrap_u, Wrap wrap_v, Filter filter);
+    /// A sampler that wraps and filters so: `preferred`, if it does; another that is there; or a
+    /// new one. -1 is glTF's default.
+    int sampler(Wrap wrap_u, Wrap wrap_v, Filter filter, int preferred);
     /// The sampler of a texture, -1 for none or for no texture.
     int sampler_of(int texture);
     /// The image of a texture, -1 for none.
@@ -48,7 +51,8 @@ class GltfImages {
     std::vector<Hash128> owned_by(const Json& material, const std::vector<int>& layer_images);
 
     /// Drops Patina's own items that nothing shows any more, renumbers what moved, and lays out the
-    /// binary chunk (GLB) or the files (glTF). Call it once, when all materials are as they will be.
+    /// binary chunk (GLB) or the files (glTF). Call it once, when all materials are as they will
+    /// be.
     Status finish();
 
     /// After finish(), of a GLB: the new binary chunk, if it differs from the old one.

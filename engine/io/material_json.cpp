@@ -119,7 +119,8 @@ void state_unlit(Json& material, bool unlit) {
 
 void state_slot(Json& material, Slot slot, const SlotStatement& statement) {
     const SlotPlace& place = place_of(slot);
-    Json& parent = place.in_metallic_roughness ? object_at(material, "pbrMetallicRoughness") : material;
+    Json& parent =
+        place.in_metallic_roughness ? object_at(material, "pbrMetallicRoughness") : material;
     state_texture(parent, place.texture, statement.texture);
     const glm::vec4& factor = statement.factor;
     switch (slot) {

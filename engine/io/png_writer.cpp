@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cstring>
 
@@ -26,7 +25,7 @@ constexpr std::size_t kChunkCrc = 4;
 
 /// How the file stores the image's rows.
 struct Layout {
-    int channels = 0;           ///< written; one fewer than the image's where alpha is dropped
+    int channels = 0;
     std::size_t sample = 1;     ///< bytes
     std::size_t row_bytes = 0;  ///< without the filter's number
 
@@ -85,49 +84,25 @@ Status check(const Image& image, const PngOptions& options) {
     return {};
 }
 
-bool alpha_is_opaque(const Image& image) {
-    const std::size_t sample = sample_bytes(image.type);
-    const std::size_t pixel = static_cast<std::size_t>(image.channels) * sample;
-    std::atomic<bool> opaque = true;
-    parallel_for(0, image.height, 64, [&](std::int64_t first, std::int64_t last) {
-        const std::size_t begin = image.row_bytes() * static_cast<std::size_t>(first);
-        const std::size_t end = image.row_bytes() * static_cast<std::size_t>(last);
-        auto least = std::byte{0xff};
-        for (std::size_t at = begin + pixel - sample; at < end; at += pixel)
-            for (std::size_t k = 0; k < sample; ++k) least &= image.data[at + k];
-        if (least != std::byte{0xff}) opaque.store(false, std::memory_order_relaxed);
-    });
-    return opaque;
+Layout layout_of(const Image& image) {
+    return {.channels = image.channels,
+            .sample = sample_bytes(image.type),
+            .row_bytes = image.row_bytes()};
 }
 
-Layout layout_of(const Image& image, const PngOptions& options) {
-    Layout layout = {.channels = image.channels, .sample = sample_bytes(image.type)};
-    const bool has_alpha = image.channels == 2 || image.channels == 4;
-    if (options.drop_opaque_alpha && has_alpha && alpha_is_opaque(image)) --layout.channels;
-    layout.row_bytes = static_cast<std::size_t>(image.width) * layout.pixel_bytes();
-    return layout;
-}
-
-/// Copies one row as PNG stores it: without a dropped channel, 16-bit numbers high byte first.
+/// Copies one row as PNG stores it: 16-bit numbers high byte first.
 void pack_row(const Image& image, const Layout& layout, std::size_t y, unsigned char* out) {
     const auto* in =
-        reinterpret_cast<const unsigned char*>(image.data.data()) + y * image.row_bytes();
-    const auto width = static_cast<std::size_t>(image.width);
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const auto kept = static_cast<std::size_t>(layout.channels);
-    if (layout.sample == 1 && kept == channels) {
+        reinterpret_cast<const unsigned char*>(image.data.data()) + y * layout.row_bytes;
+    if (layout.sample == 1) {
         std::memcpy(out, in, layout.row_bytes);
-    } else if (layout.sample == 1) {
-        for (std::size_t x = 0; x < width; ++x)
-            for (std::size_t c = 0; c < kept; ++c) out[x * kept + c] = in[x * channels + c];
-    } else {
-        for (std::size_t x = 0; x < width; ++x)
-            for (std::size_t c = 0; c < kept; ++c) {
-                std::uint16_t value = 0;
-                std::memcpy(&value, in + (x * channels + c) * 2, 2);
-                out[(x * kept + c) * 2] = static_cast<unsigned char>(value >> 8);
-                out[(x * kept + c) * 2 + 1] = static_cast<unsigned char>(value & 0xff);
-            }
+        return;
+    }
+    for (std::size_t i = 0; i < layout.row_bytes; i += 2) {
+        std::uint16_t value = 0;
+        std::memcpy(&value, in + i, 2);
+        out[i] = static_cast<unsigned char>(value >> 8);
+        out[i + 1] = static_cast<unsigned char>(value & 0xff);
     }
 }
 
@@ -282,7 +257,7 @@ Bytes joined(const Chunk& header, const std::vector<Strip>& strips) {
 
 Result<Bytes> encode_png(const Image& image, const PngOptions& options, const Progress& progress) {
     if (const Status ok = check(image, options); !ok) return passed_on(ok);
-    const Layout layout = layout_of(image, options);
+    const Layout layout = layout_of(image);
     std::vector<Strip> strips = compressed_strips(image, layout, options.level, progress);
     if (progress.cancelled()) return failure("writing a PNG was cancelled");
     for (const Strip& strip : strips)

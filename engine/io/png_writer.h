@@ -14,8 +14,6 @@ namespace patina::io {
 struct PngOptions {
     /// ISA-L's level, 1 to 3. Of filtered rows 2 makes the smallest files, hardly slower than 1.
     int level = 2;
-    /// Leave out an alpha channel that is opaque everywhere (RGBA becomes RGB, grey+alpha grey).
-    bool drop_opaque_alpha = false;
 };
 
 /// Encodes U8 and U16 images of 1 to 4 channels; the numbers are written as they are and nothing is

@@ -128,18 +128,6 @@ TEST(PngWriter, OneThreadAndManyGiveTheSameBytes) {
     EXPECT_EQ(encode_png(image).value(), many);
 }
 
-TEST(PngWriter, AnOpaqueAlphaIsLeftOutOnRequestAndAClearOneIsKept) {
-    Image image = test_image(64, 33, 4, SampleType::U8, Content::Smooth);
-    for (std::size_t i = 3; i < image.data.size(); i += 4) image.data[i] = std::byte{255};
-    const PngOptions options = {.drop_opaque_alpha = true};
-    const Image opaque = decoded(encode_png(image, options).value());
-    ASSERT_EQ(opaque.channels, 3);
-    for (std::size_t i = 0; i < opaque.data.size(); ++i)
-        ASSERT_EQ(opaque.data[i], image.data[i / 3 * 4 + i % 3]);
-    image.data.back() = std::byte{254};
-    EXPECT_EQ(decoded(encode_png(image, options).value()), image);
-}
-
 TEST(PngWriter, RefusesWhatPngCannotHold) {
     EXPECT_FALSE(encode_png(test_image(4, 4, 3, SampleType::F32, Content::Flat)));
     Image image = test_image(4, 4, 3, SampleType::U8, Content::Flat);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The maps of one material, baked and encoded once.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "composite/composite.h"
+#include "core/files.h"
+
+namespace patina::io {
+
+struct EncodedMap {
+    ImagePtr image;  ///< without an alpha channel that is opaque everywhere
+    std::shared_ptr<const Bytes> png;
+    Hash128 pixels;  ///< content_hash of `image`
+};
+/// By BakedMap; those that were not asked for are null.
+using EncodedMaps = std::array<std::shared_ptr<const EncodedMap>, kBakedMapCount>;
+
+Result<EncodedMaps> bake_and_encode(const Program& program, ImageProvider& images, int size,
+                                    const std::vector<BakedMap>& wanted, const Progress& progress);
+
+/// The map that a slot is baked into.
+BakedMap map_of(Slot slot);
+
+/// The mean of what a slot reads of its map, as the slot's factor (SlotStatement::factor): colours
+/// in linear light.
+glm::vec4 mean_factor(const Image& map, Slot slot);
+
+}  // namespace patina::io
