@@ -40,6 +40,7 @@ void embed_images(GltfJson& gltf, SourceAsset& glb) {
         const Bytes& bytes = *file->second;
         pad(glb.binary_chunk);
         Json& views = gltf.array("bufferViews");
+        if (!image.contains("name")) image["name"] = uri;
         image.erase("uri");
         if (!image.contains("mimeType")) image["mimeType"] = mime_type_of(bytes);
         image["bufferView"] = views.size();

@@ -24,6 +24,16 @@ std::vector<const TextureUse*> slots_of_map(const gltf::Material& material, std:
     return {};
 }
 
+/// Ids by the place in the file: a material without a record has the same ones whenever the file is
+/// opened, also after a save that gave records to other materials.
+Material with_ids_of_place(Material material, std::size_t index) {
+    material.id = MaterialId{2 * index + 1};
+    Layer layer = *material.stack.front();
+    layer.id = LayerId{2 * index + 2};
+    material.stack.front() = std::make_shared<const Layer>(std::move(layer));
+    return material;
+}
+
 class DocumentReader {
   public:
     DocumentReader(const DocumentParts& parts, Scene scene)
@@ -84,7 +94,8 @@ class DocumentReader {
     }
 
     void add_material(std::size_t index) {
-        Material material = imported_material(parts_.model, static_cast<int>(index), parts_.images);
+        Material material = with_ids_of_place(
+            imported_material(parts_.model, static_cast<int>(index), parts_.images), index);
         if (records_[index]) {
             const MaterialRecord& record = *records_[index];
             material.id = record.id;
@@ -163,7 +174,8 @@ class DocumentReader {
         for (const Mesh& mesh : scene_.meshes) {
             for (const Primitive& primitive : mesh.primitives) {
                 if (primitive.source_material >= 0) continue;
-                document_.materials.push_back(std::make_shared<const Material>(default_material()));
+                document_.materials.push_back(std::make_shared<const Material>(
+                    with_ids_of_place(default_material(), parts_.model.materials.size())));
                 return;
             }
         }

@@ -64,6 +64,7 @@ Status write_files(const std::vector<SideFile>& side_files, const std::filesyste
 
 std::vector<std::string> owned_files_of(const std::filesystem::path& path) {
     std::vector<std::string> names;
+    if (path.extension() != ".gltf") return names;
     const auto text = read_text_file(path);
     if (!text) return names;
     auto gltf = GltfJson::open(*text);

@@ -100,17 +100,18 @@ class Saver {
     /// The file as it was opened, with what it refers to where it goes to another folder.
     Status write_unchanged() {
         const SourceAsset& source = *document_.source;
-        if (source.container == Container::Gltf) {
-            auto gltf = GltfJson::open(source.json_text);
-            if (!gltf) return failure("{}: {}", shown(path_), gltf.error().message);
-            if (const Status ok = add_external_files(source, *gltf); !ok) return ok;
-            const auto text = gltf->text();
-            if (!text) return failure("{}: {}", shown(path_), text.error().message);
-            if (*text != source.json_text) return write({{bytes_of(*text)}});
-        } else {
-            add_files_beside();
-        }
-        return write({{std::span<const std::byte>(source.file)}});
+        auto gltf = GltfJson::open(source.json_text);
+        if (!gltf) return failure("{}: {}", shown(path_), gltf.error().message);
+        if (const Status ok = add_external_files(source, *gltf); !ok) return ok;
+        const auto text = gltf->text();
+        if (!text) return failure("{}: {}", shown(path_), text.error().message);
+        if (*text == source.json_text) return write({{std::span<const std::byte>(source.file)}});
+        if (source.container == Container::Gltf) return write({{bytes_of(*text)}});
+        const auto glb = GlbPieces::make({.json_text = *text,
+                                          .binary = {source.binary_chunk},
+                                          .trailing_chunks = source.trailing_chunks});
+        if (!glb) return failure("{}: {}", shown(path_), glb.error().message);
+        return write(glb->pieces());
     }
 
     Status write_materials(const std::vector<EditedMaterial>& edited, GltfJson& gltf,
@@ -236,10 +237,7 @@ class Saver {
         if (!text) return failure("{}: {}", shown(path_), text.error().message);
         for (const auto& [name, bytes] : images.files())
             side_files_.push_back({path_.parent_path() / name, bytes});
-        const std::vector<std::string> superseded = owned_files_of(path_);
-        if (const Status ok = write({bytes_of(*text)}); !ok) return ok;
-        remove_superseded(path_, superseded);
-        return {};
+        return write({bytes_of(*text)});
     }
 
     /// The files that the JSON refers to and that are not yet where the path makes it look for
@@ -259,12 +257,10 @@ class Saver {
                 if (!relative) return failure("{}: {}", shown(path_), relative.error().message);
                 auto target = path_.parent_path() / *relative;
                 if (is_another_file(target, *file->second)) {
+                    const std::filesystem::path safe(safe_file_name(relative->filename().string()));
                     const auto name =
-                        fmt::format("{}-{}{}", safe_file_name(relative->stem().string(), 60),
-                                    to_hex(hash_bytes(*file->second)),
-                                    safe_file_name(relative->extension().string().substr(
-                                                       relative->has_extension() ? 1 : 0),
-                                                   10));
+                        fmt::format("{}-{}{}", safe.stem().string().substr(0, 60),
+                                    to_hex(hash_bytes(*file->second)), safe.extension().string());
                     item["uri"] = name;
                     target = path_.parent_path() / name;
                 }
@@ -290,8 +286,10 @@ class Saver {
     }
 
     Status write(const std::vector<std::span<const std::byte>>& pieces) {
+        const std::vector<std::string> superseded = owned_files_of(path_);
         const Status written = write_files(side_files_, path_, pieces);
         if (!written) return written;
+        remove_superseded(path_, superseded);
         for (const auto piece : pieces) report_.bytes += piece.size();
         return {};
     }
