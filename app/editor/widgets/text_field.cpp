@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "editor/widgets/text_field.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <utility>
+
+namespace patina::editor {
+namespace {
+
+/// An InputText that sits in the middle of `rect` with the given font and no frame of its own.
+class BareInput {
+  public:
+    BareInput(Ui& ui, const Rect& rect, const ImFont* font, float padding) {
+        ImGui::PushFont(const_cast<ImFont*>(font));
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                            ImVec2(padding, 0.5f * (rect.height() - font->FontSize)));
+        for (const ImGuiCol color :
+             {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive})
+            ImGui::PushStyleColor(color, IM_COL32(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_TextDisabled, theme::kText3);
+        ImGui::SetCursorScreenPos(ImVec2(rect.x0, rect.y0));
+        ImGui::SetNextItemWidth(rect.width());
+        ui.wake_in(0.4);  // the caret blinks
+    }
+    ~BareInput() {
+        ImGui::PopStyleColor(4);
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+    }
+    BareInput(const BareInput&) = delete;
+    BareInput& operator=(const BareInput&) = delete;
+};
+
+}  // namespace
+
+void start_typing(Ui& ui, ImGuiID id, std::string text) {
+    ui.typing = {.id = id, .text = std::move(text), .fresh = true};
+    ui.wake_in(0.0);
+}
+
+std::optional<std::string> typed(Ui& ui, ImGuiID id, const Rect& rect, const ImFont* font) {
+    if (ui.typing.id != id) return std::nullopt;
+    outline(ui, rect, theme::kAccent, 4, 1);
+    const BareInput input(ui, rect, font, ui.px(8));
+    if (ui.typing.fresh) ImGui::SetKeyboardFocusHere();
+    ImGui::PushID(static_cast<int>(id));
+    const bool entered = ImGui::InputText(
+        "##typed", &ui.typing.text,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool was_fresh = std::exchange(ui.typing.fresh, false);
+    const bool ended = !was_fresh && ImGui::IsItemDeactivated();
+    const bool escaped = ended && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    ImGui::PopID();
+    if (!entered && !ended) return std::nullopt;
+    ui.typing.id = 0;
+    if (escaped) return std::nullopt;
+    return ui.typing.text;
+}
+
+bool search_field(Ui& ui, const Rect& rect, const SearchField& field, std::string& words) {
+    fill(ui, rect, field.color, 4);
+    ui.map.add(field.label, "search", words, visible_part(rect), true);
+    Rect rest = rect;
+    rest.cut_left(ui.px(8));
+    icon_glyph(ui, rest.cut_left(ui.px(16)), icon::kSearch, theme::kText3, 12);
+    const BareInput input(ui, rest, ui.fonts.body13, ui.px(6));
+    const std::string id = "##" + std::string(field.label);
+    if (field.focus) ImGui::SetKeyboardFocusHere();
+    return ImGui::InputTextWithHint(id.c_str(), std::string(field.hint).c_str(), &words);
+}
+
+bool line_field(Ui& ui, const Rect& rect, std::string_view label, std::string& words, bool focus) {
+    fill(ui, rect, theme::kField, 4);
+    ui.map.add(label, "text", words, visible_part(rect), true);
+    const BareInput input(ui, rect, ui.fonts.body13, ui.px(8));
+    const std::string id = "##" + std::string(label);
+    if (focus) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputText(id.c_str(), &words, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemActive()) outline(ui, rect, theme::kAccent, 4, 1);
+    return entered;
+}
+
+}  // namespace patina::editor
