@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "editor/panels/choice_combo.h"
+#include "editor/panels/panels.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/form.h"
+#include "editor/widgets/number_text.h"
+#include "editor/widgets/slider.h"
+
+namespace patina::editor {
+namespace {
+
+std::string_view label_of(const render::Shading& shading) {
+    return render::kShadingModels[static_cast<std::size_t>(shading.model)].label;
+}
+
+struct TableRow {
+    std::string name;
+    std::string left;
+    std::string right;
+    bool total = false;
+};
+
+void draw_table(Ui& ui, Rect& rest, const render::View& view, const std::vector<TableRow>& rows) {
+    const auto cells = [&](Rect row) {
+        const Rect right = row.cut_right(ui.px(62));
+        const Rect left = row.cut_right(ui.px(62));
+        return std::array{row, left, right};
+    };
+    const Rect head = rest.cut_top(ui.px(24)).inset(ui.px(12), 0);
+    const auto titles = cells(head);
+    text(ui, titles[1], ui.fonts.caption11, theme::kText3, label_of(view.left), Align::Right);
+    text(ui, titles[2], ui.fonts.caption11, theme::kText3, label_of(view.right), Align::Right);
+    hairline(ui, {head.x0, head.y1 - ui.px(1), head.x1, head.y1}, theme::kTableLine);
+    for (const TableRow& row : rows) {
+        const Rect line_box = rest.cut_top(ui.px(22)).inset(ui.px(12), 0);
+        const auto parts = cells(line_box);
+        const ImFont* font = row.total ? ui.fonts.medium12 : ui.fonts.value12;
+        if (row.total) hairline(ui, line_box, theme::kTableLine);
+        text(ui, parts[0], font, row.total ? theme::kText : theme::kText2, row.name);
+        text(ui, parts[1], font, theme::kText, row.left, Align::Right);
+        text(ui, parts[2], font, theme::kText, row.right, Align::Right);
+        ui.map.add(row.name, "figure", row.left + " " + row.right, visible_part(line_box), true);
+    }
+}
+
+std::string pass_ms(const render::SideCost& cost, std::string_view name) {
+    const auto found =
+        std::find_if(cost.passes.begin(), cost.passes.end(),
+                     [name](const render::PassCost& pass) { return pass.name == name; });
+    return found == cost.passes.end() ? "\u2013" : number_text(found->gpu_ms);
+}
+
+std::vector<TableRow> cost_rows(const render::FrameStats& stats) {
+    const render::SideCost& left = stats.left;
+    const render::SideCost right = stats.right.value_or(render::SideCost{});
+    std::vector<TableRow> rows;
+    for (const render::PassCost& pass : left.passes)
+        rows.push_back({std::string(pass.name) + ", ms", pass_ms(left, pass.name),
+                        pass_ms(right, pass.name)});
+    rows.push_back({"Frame, ms", number_text(left.frame_ms), number_text(right.frame_ms), true});
+    const auto mb = [](std::size_t bytes) {
+        return number_text(static_cast<double>(bytes) / 1e6, {.decimals = 1});
+    };
+    rows.push_back({"G-buffer, MB", mb(left.gbuffer_bytes), mb(right.gbuffer_bytes)});
+    rows.push_back({"Environment, MB", mb(left.environment_bytes), mb(right.environment_bytes)});
+    rows.push_back({"Memory, MB", mb(left.bytes()), mb(right.bytes()), true});
+    return rows;
+}
+
+}  // namespace
+
+Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& state) {
+    render::View& view = state.view;
+    ScrollArea area(ui, "compare", rect);
+    Rect rest = area.content();
+    rest.y1 = rest.y0 + 1e6f;
+    const float top = rest.y0;
+    rest.cut_top(ui.px(10));
+    const auto line_box = [&] { return next_line(ui, rest).inset(ui.px(12), 0); };
+    if (const auto left = choice_combo(ui, line_box(), {.label = "Left", .shown_label = "Left"},
+                                       render::kShadingModels, view.left.model))
+        view.left.model = *left;
+    if (const auto right = choice_combo(ui, line_box(), {.label = "Right", .shown_label = "Right"},
+                                        render::kShadingModels, view.right.model))
+        view.right.model = *right;
+    const auto range = number_field(ui, line_box(),
+                                    {.label = "Heat up to",
+                                     .shown_label = "Heat up to",
+                                     .minimum = 0.01,
+                                     .maximum = 8.0,
+                                     .standard = 1.0,
+                                     .curve = SliderCurve::Logarithmic,
+                                     .tooltip = "The luminance difference that is the top of the "
+                                                "heat map, 0.01 to 8"},
+                                    static_cast<double>(view.difference_range));
+    if (range) view.difference_range = static_cast<float>(*range);
+    rest.cut_top(ui.px(6));
+    const Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
+    hairline(ui, head);
+    if (section(ui, head, {.title = "Cost", .open = state.unfolded.cost}))
+        state.unfolded.cost = !state.unfolded.cost;
+    if (state.unfolded.cost) draw_table(ui, rest, view, cost_rows(shown.cost.frame));
+    area.set_height(rest.y0 - top + ui.px(12));
+    return {};
+}
+
+}  // namespace patina::editor

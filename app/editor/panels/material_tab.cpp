@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "document/edits.h"
+#include "editor/panels/choice_combo.h"
+#include "editor/panels/panels.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/color_field.h"
+#include "editor/widgets/form.h"
+#include "editor/widgets/number_text.h"
+#include "editor/widgets/slider.h"
+
+namespace patina::editor {
+namespace {
+
+Rect padded_line(const Ui& ui, Rect& rest) {
+    return next_line(ui, rest).inset(ui.px(12), 0);
+}
+
+bool unfold(Ui& ui, Rect& rest, std::string_view title, std::string_view count, bool& open) {
+    const Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
+    hairline(ui, head);
+    if (section(ui, head, {.title = title, .count = count, .open = open})) open = !open;
+    return open;
+}
+
+void draw_head(Ui& ui, Rect& rest, const Material& material, const Shown& shown) {
+    Rect head = rest.cut_top(ui.px(56)).inset(ui.px(12), 0);
+    const Rect ball = head.cut_left(ui.px(40)).centered(ui.px(40), ui.px(40));
+    const Picture thumbnail = shown.thumbnails->material(material);
+    if (thumbnail.texture == nullptr)
+        disc(ui, ball.center_x(), ball.center_y(), 19, theme::kField);
+    picture(ui, ball, thumbnail);
+    head.cut_left(ui.px(10));
+    Rect words = head.centered(head.width(), ui.px(34));
+    text(ui, words.cut_top(ui.px(18)), ui.fonts.name15, theme::kText, material.name);
+    words.cut_top(ui.px(2));
+    text(ui, words, ui.fonts.caption11, theme::kText3,
+         fmt::format("{} \u00b7 {} px", counted(material.stack.size(), "layer"),
+                     material.resolution));
+}
+
+Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& view) {
+    Requests requests;
+    const Place place(ui, "Surface");
+    if (!unfold(ui, rest, "Surface", {}, view.unfolded.surface)) return requests;
+    const auto number = [&](const Rect& rect, Parameter parameter, float value) {
+        return number_field(ui, rect, number_spec(parameter), static_cast<double>(value));
+    };
+    const auto alpha = side_by_side<2>(ui, padded_line(ui, rest));
+    if (const auto mode =
+            parameter_combo(ui, alpha[0], Parameter::MaterialAlphaMode, material.alpha_mode))
+        requests.edit(set_material_alpha_mode(material, *mode));
+    if (material.alpha_mode == AlphaMode::Mask)
+        if (const auto v = number(alpha[1], Parameter::MaterialAlphaCutoff, material.alpha_cutoff))
+            requests.edit(set_material_alpha_cutoff(material, static_cast<float>(*v)));
+    const auto optics = side_by_side<2>(ui, padded_line(ui, rest));
+    if (const auto v = number(optics[0], Parameter::MaterialIor, material.ior))
+        requests.edit(set_material_ior(material, static_cast<float>(*v)));
+    if (const auto v =
+            number(optics[1], Parameter::MaterialSpecularFactor, material.specular_factor))
+        requests.edit(set_material_specular_factor(material, static_cast<float>(*v)));
+    const auto light = side_by_side<2>(ui, padded_line(ui, rest));
+    const ParameterInfo& tint = info(Parameter::MaterialSpecularColor);
+    if (const auto color = color_field(ui, light[0], {.label = tint.label, .tooltip = tint.tooltip},
+                                       material.specular_color_linear))
+        requests.edit(set_material_specular_color(material, *color));
+    if (const auto v =
+            number(light[1], Parameter::MaterialEmissiveStrength, material.emissive_strength))
+        requests.edit(set_material_emissive_strength(material, static_cast<float>(*v)));
+    if (const auto v = number(padded_line(ui, rest), Parameter::MaterialHeightScale,
+                              material.height_scale))
+        requests.edit(set_material_height_scale(material, static_cast<float>(*v)));
+    const auto flags = side_by_side<2>(ui, padded_line(ui, rest));
+    const auto toggle = [&](const Rect& rect, Parameter parameter, bool on) {
+        return labelled_checkbox(ui, rect, info(parameter).label, on, info(parameter).tooltip);
+    };
+    if (toggle(flags[0], Parameter::MaterialDoubleSided, material.double_sided))
+        requests.edit(set_material_double_sided(material, !material.double_sided));
+    if (toggle(flags[1], Parameter::MaterialUnlit, material.unlit))
+        requests.edit(set_material_unlit(material, !material.unlit));
+    rest.cut_top(ui.px(6));
+    return requests;
+}
+
+Requests draw_environment(Ui& ui, Rect& rest, const Document& document, ViewState& view) {
+    Requests requests;
+    const Place place(ui, "Environment");
+    if (!unfold(ui, rest, "Environment", {}, view.unfolded.environment)) return requests;
+    const auto rotation =
+        number_field(ui, padded_line(ui, rest), number_spec(Parameter::EnvironmentRotation),
+                     static_cast<double>(document.environment.rotation_degrees));
+    if (rotation) requests.edit(set_environment_rotation(static_cast<float>(*rotation)));
+    NumberSpec intensity = number_spec(Parameter::EnvironmentIntensity);
+    const auto next = number_field(ui, padded_line(ui, rest), intensity,
+                                   static_cast<double>(document.environment.intensity));
+    if (next) requests.edit(set_environment_intensity(static_cast<float>(*next)));
+    rest.cut_top(ui.px(6));
+    return requests;
+}
+
+Requests draw_light(Ui& ui, Rect& rest, const Light& light, int index) {
+    Requests requests;
+    const std::string name =
+        light.name.empty() ? fmt::format("Light {}", index + 1) : light.name;
+    const Place place(ui, name, static_cast<std::uint64_t>(index) + 1);
+    Rect line_box = padded_line(ui, rest);
+    if (icon_button(ui, line_box.cut_right(ui.px(26)),
+                    {.icon = icon::kTrash, .label = "Remove light"}))
+        requests.edit(remove_light(index));
+    line_box.cut_right(ui.px(4));
+    Light changed = light;
+    const ParameterInfo& color_row = info(Parameter::LightColor);
+    if (const auto color = color_field(ui, line_box.cut_left(ui.px(84)),
+                                       {.label = color_row.label, .tooltip = color_row.tooltip},
+                                       light.color_linear))
+        changed.color_linear = *color;
+    line_box.cut_left(ui.px(4));
+    if (const auto kind = parameter_combo(ui, line_box.cut_left(ui.px(96)), Parameter::LightKind,
+                                          light.kind, false))
+        changed.kind = *kind;
+    line_box.cut_left(ui.px(4));
+    NumberSpec spec = number_spec(Parameter::LightIntensity);
+    spec.level = false;
+    spec.drag_per_pixel = 0.02;
+    if (line_box.width() < ui.px(110)) spec.shown_label = {};
+    if (const auto v = number_field(ui, line_box, spec, static_cast<double>(light.intensity)))
+        changed.intensity = static_cast<float>(*v);
+    if (!(changed == light)) requests.edit(set_light(index, changed));
+    return requests;
+}
+
+Requests draw_lights(Ui& ui, Rect& rest, const Document& document, ViewState& view) {
+    Requests requests;
+    const Place place(ui, "Lights");
+    Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
+    hairline(ui, head);
+    head.cut_right(ui.px(6));
+    if (icon_button(ui, head.cut_right(ui.px(26)), {.icon = icon::kPlus, .label = "Add light"})) {
+        Light light;
+        light.intensity = 2.0f;
+        light.direction_world = glm::normalize(glm::vec3(-0.5f, -1.0f, -0.6f));
+        requests.edit(add_light(light));
+    }
+    const std::string count =
+        document.lights.empty() ? "" : std::to_string(document.lights.size());
+    if (section(ui, head, {.title = "Lights", .count = count, .open = view.unfolded.lights}))
+        view.unfolded.lights = !view.unfolded.lights;
+    if (!view.unfolded.lights) return requests;
+    for (std::size_t i = 0; i < document.lights.size(); ++i)
+        requests.append(draw_light(ui, rest, document.lights[i], static_cast<int>(i)));
+    if (document.lights.empty())
+        text(ui, padded_line(ui, rest), ui.fonts.value12, theme::kText3,
+             "No lamps: the environment lights the model");
+    rest.cut_top(ui.px(6));
+    return requests;
+}
+
+/// The terms of the left shading, which the explanation of PBR names.
+void draw_terms(Ui& ui, Rect& rest, ViewState& view) {
+    const Place place(ui, "Shading terms");
+    if (!unfold(ui, rest, "Shading terms", "left side", view.unfolded.terms)) return;
+    render::Shading& shading = view.view.left;
+    if (shading.model != render::ShadingModel::Pbr) {
+        text(ui, padded_line(ui, rest), ui.fonts.value12, theme::kText3,
+             "Exponent and colours follow from roughness and metalness");
+        return;
+    }
+    render::PbrTerms& terms = shading.terms;
+    if (const auto d = choice_combo(ui, padded_line(ui, rest),
+                                    {.label = "Distribution", .shown_label = "Distribution"},
+                                    render::kDistributionTerms, terms.distribution))
+        terms.distribution = *d;
+    if (const auto g = choice_combo(ui, padded_line(ui, rest),
+                                    {.label = "Geometry", .shown_label = "Geometry"},
+                                    render::kGeometryTerms, terms.geometry))
+        terms.geometry = *g;
+    if (const auto f = choice_combo(ui, padded_line(ui, rest),
+                                    {.label = "Fresnel", .shown_label = "Fresnel"},
+                                    render::kFresnelTerms, terms.fresnel))
+        terms.fresnel = *f;
+    if (const auto d = choice_combo(ui, padded_line(ui, rest),
+                                    {.label = "Diffuse", .shown_label = "Diffuse"},
+                                    render::kDiffuseTerms, terms.diffuse))
+        terms.diffuse = *d;
+    if (labelled_checkbox(ui, padded_line(ui, rest), "Multiple scattering",
+                          terms.multiple_scattering,
+                          "Gives back the energy that single scattering loses"))
+        terms.multiple_scattering = !terms.multiple_scattering;
+    Rect line_box = padded_line(ui, rest);
+    const TextButton standard{.label = "glTF set"};
+    const TextButton lecture{.label = "Lecture set",
+                             .tooltip = "Lacks 1/pi and energy balance: not physical"};
+    if (text_button(ui, line_box.cut_left(text_button_width(ui, standard)), standard)) terms = {};
+    line_box.cut_left(ui.px(4));
+    if (text_button(ui, line_box.cut_left(text_button_width(ui, lecture)), lecture))
+        terms = render::kLectureTerms;
+}
+
+}  // namespace
+
+Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
+    Requests requests;
+    if (!shown.material) {
+        text(ui, Rect{rect.x0, rect.y0, rect.x1, rect.y0 + ui.px(60)}.inset(ui.px(12), 0),
+             ui.fonts.body13, theme::kText3, "Open a model to see its materials");
+        return requests;
+    }
+    ScrollArea area(ui, "material", rect);
+    Rect rest = area.content();
+    rest.y1 = rest.y0 + 1e6f;
+    const float top = rest.y0;
+    draw_head(ui, rest, *shown.material, shown);
+    requests.append(draw_surface(ui, rest, *shown.material, view));
+    requests.append(draw_environment(ui, rest, *shown.document, view));
+    requests.append(draw_lights(ui, rest, *shown.document, view));
+    draw_terms(ui, rest, view);
+    area.set_height(rest.y0 - top + ui.px(12));
+    return requests;
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "document/edits.h"
+#include "editor/panels/panels.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/name_search.h"
+#include "editor/widgets/number_text.h"
+#include "editor/widgets/popup_menu.h"
+#include "editor/widgets/text_field.h"
+
+namespace patina::editor {
+namespace {
+
+std::size_t layer_count(const std::vector<LayerPtr>& layers) {
+    std::size_t count = 0;
+    for (const LayerPtr& layer : layers) {
+        ++count;
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            count += layer_count(group->children);
+    }
+    return count;
+}
+
+/// How many primitives of the scene are drawn with the material.
+std::size_t part_count(const Document& document, const Material& material) {
+    std::size_t count = 0;
+    if (!document.scene) return 0;
+    for (const MeshInstance& instance : document.scene->instances)
+        for (const Primitive& primitive :
+             document.scene->meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+            count += primitive.source_material == material.source_material.value_or(-1) ? 1 : 0;
+    return count;
+}
+
+std::optional<std::string> renamed(Ui& ui, const Rect& rect, const Material& material,
+                                   ViewState& view) {
+    if (view.renaming_material != material.id) return std::nullopt;
+    const ImGuiID id = ImGui::GetID("rename");
+    if (ui.typing.id != id) start_typing(ui, id, material.name);
+    fill(ui, rect, theme::kFieldHover, 4);
+    std::optional<std::string> words = typed(ui, id, rect, ui.fonts.body13);
+    if (ui.typing.id == 0) view.renaming_material = {};
+    return words;
+}
+
+Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, const Shown& shown,
+                  ViewState& view) {
+    Requests requests;
+    const Place place(ui, material->name, material->id.value);
+    const bool selected = view.material == material->id;
+    const Press pressed = press(
+        ui, rect,
+        {.label = material->name, .kind = "row", .value = selected ? "selected" : ""});
+    row_tint(ui, rect, selected, pressed.hovered);
+    if (pressed.clicked && !selected) {
+        view.material = material->id;
+        view.layer = {};
+    }
+    if (pressed.double_clicked) view.renaming_material = material->id;
+    Rect rest = rect.inset(ui.px(10), 0);
+    const Rect ball = rest.cut_left(ui.px(30)).centered(ui.px(30), ui.px(30));
+    const Picture thumbnail = shown.thumbnails->material(*material);
+    if (thumbnail.texture == nullptr)
+        disc(ui, ball.center_x(), ball.center_y(), 14, theme::kField);
+    picture(ui, ball, thumbnail);
+    rest.cut_left(ui.px(10));
+    const ImU32 quiet = selected || pressed.hovered ? theme::kText2 : theme::kText3;
+    const std::string parts = counted(part_count(*shown.document, *material), "part");
+    const Rect right = rest.cut_right(text_width(ui.fonts.caption11, parts) + 1);
+    text(ui, right, ui.fonts.caption11, quiet, parts, Align::Right);
+    rest.cut_right(ui.px(8));
+    Rect lines = rest.inset(0, ui.px(4));
+    const Rect name_line = lines.cut_top(ui.px(17));
+    if (const auto name = renamed(ui, name_line, *material, view))
+        requests.edit(rename_material(*material, *name));
+    else if (view.renaming_material != material->id)
+        text(ui, name_line, selected ? ui.fonts.medium13 : ui.fonts.body13, theme::kText,
+             material->name);
+    text(ui, lines, ui.fonts.caption11, quiet,
+         fmt::format("{} \u00b7 {} px", counted(layer_count(material->stack), "layer"),
+                     material->resolution));
+    return requests;
+}
+
+Requests draw_menu(Ui& ui, const Shown& shown) {
+    Requests requests;
+    PopupMenu menu(ui, "materials menu");
+    if (!menu.open()) return requests;
+    for (const Action action : {Action::RenameMaterial, Action::ClearStack})
+        if (menu.item({.icon = info(action).icon,
+                       .label = info(action).label,
+                       .enabled = applies(action, shown)}))
+            requests.ask(action);
+    return requests;
+}
+
+}  // namespace
+
+Requests draw_materials_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
+    Requests requests;
+    const Place place(ui, "Materials");
+    fill(ui, rect, theme::kPanel, 6);
+    Rect rest = rect;
+    Rect title = rest.cut_top(ui.px(theme::kPanelTitle));
+    const std::size_t count = shown.document ? shown.document->materials.size() : 0;
+    panel_title(ui, title, "Materials", count > 0 ? std::to_string(count) : "");
+    title.cut_right(ui.px(6));
+    const Rect more = title.cut_right(ui.px(26));
+    title.cut_right(ui.px(2));
+    if (icon_button(ui, more, {.icon = icon::kEllipsis, .label = "More for materials"}))
+        ImGui::OpenPopup("materials menu");
+    place_popup(more, 0);
+    requests.append(draw_menu(ui, shown));
+    if (count > 0) search_toggle(ui, title.cut_right(ui.px(26)), "Search materials",
+                                 view.material_search);
+    if (!shown.document) {
+        text(ui, rest.inset(ui.px(12), ui.px(4)), ui.fonts.caption11, theme::kText3,
+             "No model is open");
+        return requests;
+    }
+    if (view.material_search) name_search(ui, rest, "Search materials", *view.material_search);
+    rest.cut_bottom(ui.px(6));
+    ScrollArea area(ui, "materials", rest);
+    Rect row = area.content();
+    row.y1 = row.y0 + ui.px(theme::kMaterialRow);
+    float height = 0.0f;
+    for (const MaterialPtr& material : shown.document->materials) {
+        if (view.material_search && !name_matches(material->name, *view.material_search)) continue;
+        requests.append(draw_row(ui, row, material, shown, view));
+        row = row.moved(0, row.height());
+        height += row.height();
+    }
+    area.set_height(height);
+    return requests;
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The panels, one file each. A panel draws what is `shown` into its rectangle, may change the
+/// ViewState, and returns edits and requests. No panel includes GL, reads a file or calls another.
+
+#include "editor/state/requests.h"
+#include "editor/state/shown.h"
+#include "editor/state/view_state.h"
+#include "editor/widgets/ui.h"
+
+namespace patina::editor {
+
+Requests draw_top_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_materials_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_layers_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_history_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_channel_strip(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_shelf(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_status_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+
+/// The right side: its tabs and the chosen one.
+Requests draw_properties(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_layer_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_explain_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+
+}  // namespace patina::editor

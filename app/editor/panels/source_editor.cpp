@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "editor/panels/source_editor.h"
+
+#include <array>
+#include <cmath>
+
+#include "editor/panels/choice_combo.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/color_field.h"
+#include "editor/widgets/form.h"
+#include "editor/widgets/number_text.h"
+#include "editor/widgets/ramp_field.h"
+#include "editor/widgets/slider.h"
+
+namespace patina::editor {
+namespace {
+
+constexpr std::array<std::string_view, 3> kKinds = {"Value", "Image", "Procedural"};
+
+glm::vec3 neutral_value(std::optional<Channel> channel) {
+    return channel ? stack_bottom(*channel) : glm::vec3(1.0f);
+}
+
+bool is_color(std::optional<Channel> channel) {
+    return channel && info(*channel).kind == ChannelKind::Color;
+}
+
+/// A noise for the channel: from black to white, a flat normal kept.
+ProceduralSource new_procedural(std::optional<Channel> channel) {
+    ProceduralSource source;
+    if (channel && info(*channel).kind == ChannelKind::Normal)
+        source.ramp = {{0.0f, neutral_value(channel)}};
+    return source;
+}
+
+Requests change_kind(const EditedSource& edited, int kind, const Shown& shown) {
+    Requests requests;
+    if (kind == 0) requests.edit(set_source(edited.place, ConstantSource{neutral_value(edited.channel)}));
+    if (kind == 2) requests.edit(set_source(edited.place, new_procedural(edited.channel)));
+    if (kind != 1) return requests;
+    if (shown.document->images.empty()) {
+        if (edited.channel)
+            requests.ask(ChooseImageFor{edited.layer, *edited.channel});
+        else
+            requests.ask(ChooseImageFor{edited.layer, edited.entry});
+    } else {
+        requests.edit(set_image(edited.place, shown.document->images.begin()->second));
+    }
+    return requests;
+}
+
+Requests draw_image_choice(Ui& ui, Rect line_box, const EditedSource& edited,
+                           const ImageSource& source, const Shown& shown) {
+    Requests requests;
+    const TextButton choose{.label = "Choose\u2026", .tooltip = "Take an image from disk"};
+    const Rect button = line_box.cut_right(text_button_width(ui, choose));
+    line_box.cut_right(ui.px(theme::kGap));
+    if (text_button(ui, button, choose)) {
+        if (edited.channel)
+            requests.ask(ChooseImageFor{edited.layer, *edited.channel});
+        else
+            requests.ask(ChooseImageFor{edited.layer, edited.entry});
+    }
+    std::vector<ComboItem> items;
+    std::vector<ImageAssetPtr> images;
+    int chosen = -1;
+    for (const auto& [hash, image] : shown.document->images) {
+        if (hash == source.image) chosen = static_cast<int>(items.size());
+        items.push_back({.label = image->name});
+        images.push_back(image);
+    }
+    Picture thumbnail;
+    if (chosen >= 0)
+        thumbnail = shown.thumbnails->image(*images[static_cast<std::size_t>(chosen)]);
+    const auto picked = combo(ui, line_box, {.label = "Image", .picture = &thumbnail}, items, chosen);
+    if (picked) requests.edit(set_image(edited.place, images[static_cast<std::size_t>(*picked)]));
+    return requests;
+}
+
+Requests draw_image_switches(Ui& ui, Rect& rest, const EditedSource& edited,
+                             const ImageSource& source) {
+    Requests requests;
+    const auto flags = side_by_side<2>(ui, next_line(ui, rest));
+    const auto toggle = [&](const Rect& rect, Parameter parameter, bool on) {
+        return labelled_checkbox(ui, rect, info(parameter).label, on, info(parameter).tooltip);
+    };
+    if (toggle(flags[0], Parameter::ImageInvert, source.invert))
+        requests.edit(set_image_invert(edited.place, !source.invert));
+    if (edited.channel == Channel::Normal) {
+        if (toggle(flags[1], Parameter::ImageDirectxNormal, source.directx_normal))
+            requests.edit(set_image_directx_normal(edited.place, !source.directx_normal));
+    } else if (toggle(flags[1], Parameter::ImageAlphaIsCoverage, source.alpha_is_coverage)) {
+        requests.edit(set_image_alpha_is_coverage(edited.place, !source.alpha_is_coverage));
+    }
+    return requests;
+}
+
+Requests draw_image(Ui& ui, Rect& rest, const EditedSource& edited, const ImageSource& source,
+                    const Shown& shown) {
+    Requests requests = draw_image_choice(ui, next_line(ui, rest), edited, source, shown);
+    const auto reading = side_by_side<2>(ui, next_line(ui, rest));
+    if (const auto space =
+            parameter_combo(ui, reading[0], Parameter::ImageColorSpace, source.color_space))
+        requests.edit(set_image_color_space(edited.place, *space));
+    if (const auto pick = parameter_combo(ui, reading[1], Parameter::ImagePick, source.pick))
+        requests.edit(set_image_pick(edited.place, *pick));
+    const auto wraps = side_by_side<2>(ui, next_line(ui, rest));
+    if (const auto wrap = parameter_combo(ui, wraps[0], Parameter::ImageWrapU, source.wrap_u))
+        requests.edit(set_image_wrap(edited.place, *wrap, source.wrap_v));
+    if (const auto wrap = parameter_combo(ui, wraps[1], Parameter::ImageWrapV, source.wrap_v))
+        requests.edit(set_image_wrap(edited.place, source.wrap_u, *wrap));
+    const auto filter = parameter_combo(ui, side_by_side<2>(ui, next_line(ui, rest))[0],
+                                        Parameter::ImageFilter, source.filter);
+    if (filter) requests.edit(set_image_filter(edited.place, *filter));
+    requests.append(draw_image_switches(ui, rest, edited, source));
+    return requests;
+}
+
+RampSpec ramp_spec(std::optional<Channel> channel) {
+    const ParameterInfo& row = info(value_parameter(channel));
+    return {.label = "Ramp",
+            .color = is_color(channel),
+            .minimum = static_cast<float>(row.minimum),
+            .maximum = static_cast<float>(row.maximum)};
+}
+
+Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
+                         const ProceduralSource& source) {
+    Requests requests;
+    const SourcePlace& place = edited.place;
+    const auto kind =
+        parameter_combo(ui, next_line(ui, rest), Parameter::ProceduralKindChoice, source.kind);
+    if (kind) requests.edit(set_procedural_kind(place, *kind));
+    const bool has_ramp = !edited.channel || info(*edited.channel).kind != ChannelKind::Normal;
+    if (has_ramp) {
+        const Rect bar = rest.cut_top(ui.px(34));
+        rest.cut_top(ui.px(6));
+        if (auto stops = ramp_field(ui, bar, ramp_spec(edited.channel), source.ramp))
+            requests.edit(set_ramp(place, std::move(*stops)));
+    }
+    const auto number = [&](const Rect& rect, Parameter parameter, double value) {
+        NumberSpec spec = number_spec(parameter);
+        spec.level = parameter != Parameter::ProceduralSeed;
+        spec.drag_per_pixel = spec.level ? 0.0 : 0.2;
+        return number_field(ui, rect, spec, value);
+    };
+    const auto first = side_by_side<3>(ui, next_line(ui, rest));
+    if (const auto v = number(first[0], Parameter::ProceduralScale, static_cast<double>(source.scale)))
+        requests.edit(set_procedural_scale(place, static_cast<float>(*v)));
+    if (const auto v =
+            number(first[1], Parameter::ProceduralContrast, static_cast<double>(source.contrast)))
+        requests.edit(set_procedural_contrast(place, static_cast<float>(*v)));
+    if (const auto v = number(first[2], Parameter::ProceduralSeed, source.seed))
+        requests.edit(set_procedural_seed(place, static_cast<std::uint32_t>(*v)));
+    const auto second = side_by_side<2>(ui, next_line(ui, rest));
+    if (const auto v = number(second[0], Parameter::ProceduralOctaves, source.octaves))
+        requests.edit(set_procedural_octaves(place, static_cast<int>(*v)));
+    if (const auto v =
+            number(second[1], Parameter::ProceduralBalance, static_cast<double>(source.balance)))
+        requests.edit(set_procedural_balance(place, static_cast<float>(*v)));
+    return requests;
+}
+
+Requests draw_direction(Ui& ui, const Rect& rect, const SourcePlace& place, const glm::vec3& value) {
+    constexpr std::array<std::string_view, 3> kNames = {"X", "Y", "Z"};
+    Requests requests;
+    const auto fields = side_by_side<3>(ui, rect);
+    for (int i = 0; i < 3; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        NumberSpec spec = number_spec(Parameter::NormalValue);
+        spec.label = kNames[index];
+        spec.shown_label = rect.width() > ui.px(150) ? kNames[index] : std::string_view();
+        const auto next = number_field(ui, fields[index], spec, static_cast<double>(value[i]));
+        if (!next) continue;
+        glm::vec3 changed = value;
+        changed[i] = static_cast<float>(*next);
+        requests.edit(set_constant(place, changed));
+    }
+    return requests;
+}
+
+}  // namespace
+
+Requests draw_constant(Ui& ui, const Rect& rect, const EditedSource& edited, bool with_label) {
+    Requests requests;
+    const glm::vec3 value = std::get<ConstantSource>(edited.source).value;
+    const Parameter parameter = value_parameter(edited.channel);
+    if (edited.channel && info(*edited.channel).kind == ChannelKind::Normal)
+        return draw_direction(ui, rect, edited.place, value);
+    if (is_color(edited.channel)) {
+        const auto next = color_field(
+            ui, rect, {.label = info(parameter).label, .tooltip = info(parameter).tooltip}, value);
+        if (next) requests.edit(set_constant(edited.place, *next));
+        return requests;
+    }
+    NumberSpec spec = with_label ? number_spec(parameter) : compact_number_spec(parameter);
+    spec.standard = static_cast<double>(neutral_value(edited.channel).x);
+    if (const auto next = number_field(ui, rect, spec, static_cast<double>(value.x)))
+        requests.edit(set_constant(edited.place, glm::vec3(static_cast<float>(*next))));
+    return requests;
+}
+
+Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, const Shown& shown) {
+    Requests requests;
+    const auto kind = static_cast<int>(edited.source.index());
+    if (const auto chosen = segmented(ui, next_line(ui, rest), kKinds, kind))
+        requests.append(change_kind(edited, *chosen, shown));
+    if (std::holds_alternative<ConstantSource>(edited.source))
+        requests.append(draw_constant(ui, next_line(ui, rest), edited, true));
+    if (const auto* image = std::get_if<ImageSource>(&edited.source))
+        requests.append(draw_image(ui, rest, edited, *image, shown));
+    if (const auto* procedural = std::get_if<ProceduralSource>(&edited.source))
+        requests.append(draw_procedural(ui, rest, edited, *procedural));
+    return requests;
+}
+
+std::string source_name(const Source& source, std::optional<Channel> channel,
+                        const Document& document) {
+    if (const auto* image = std::get_if<ImageSource>(&source)) {
+        const auto found = document.images.find(image->image);
+        return found == document.images.end() ? "Missing image" : found->second->name;
+    }
+    if (const auto* procedural = std::get_if<ProceduralSource>(&source))
+        return std::string(choice(procedural->kind).label);
+    const glm::vec3 value = std::get<ConstantSource>(source).value;
+    return is_color(channel) ? hex_color(value) : number_text(static_cast<double>(value.x));
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Everything that has a name and can be asked for from a menu, a key or the palette, as one table.
+/// To add one: an enumerator, a row, and a case in app/editor/perform.cpp.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace patina::editor {
+
+enum class Action {
+    Open,
+    OpenSample,
+    Save,
+    SaveAs,
+    Export,
+    Quit,
+    Undo,
+    Redo,
+    Copy,
+    Paste,
+    FindAction,
+    AddValueLayer,
+    AddImageLayer,
+    AddNoiseLayer,
+    AddGroup,
+    DuplicateLayer,
+    DeleteLayer,
+    GroupLayer,
+    UngroupLayer,
+    RenameLayer,
+    HideLayer,
+    LockLayer,
+    MoveLayerUp,
+    MoveLayerDown,
+    SelectLayerAbove,
+    SelectLayerBelow,
+    SoloLayer,
+    ViewMask,
+    AddNoiseMask,
+    AddImageMask,
+    ClearMask,
+    RenameMaterial,
+    ClearStack,
+    ViewSingle,
+    ViewSplit,
+    ViewTwo,
+    ViewDifference,
+    NextCompareMode,
+    SwapSides,
+    ShadePbr,
+    ShadePhong,
+    ShadeBlinnPhong,
+    NextChannel,
+    PreviousChannel,
+    BrighterExposure,
+    DarkerExposure,
+    FrameModel,
+    ProbeTool,
+    SaveView,
+    ResetLayout,
+    HidePanels,
+    LargerInterface,
+    SmallerInterface,
+    Keys,
+    About,
+};
+
+enum class Menu { File, Edit, Layer, Material, View, Help };
+
+/// What has to be there for the action to apply.
+enum class Needs {
+    Nothing,
+    Document,
+    Material,
+    Layer,
+    Group,
+    Mask,
+    UndoStep,
+    RedoStep,
+};
+
+struct ActionInfo {
+    Action action;
+    Menu menu;
+    const char* icon;  ///< or null
+    std::string_view label;
+    std::string_view key;  ///< as it is written in menus; bindings are in app/editor/keys.cpp
+    Needs needs;
+    bool separator_before = false;
+};
+
+std::span<const ActionInfo> actions();
+const ActionInfo& info(Action action);
+
+}  // namespace patina::editor

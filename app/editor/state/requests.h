@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What a panel hands back: edits of the document, and what else it asks for. Panels change nothing
+/// but the ViewState.
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/hash.h"
+#include "document/edit.h"
+#include "document/layer.h"
+#include "document/layer_edits.h"
+#include "editor/state/actions.h"
+
+namespace patina::editor {
+
+/// Files from a dialog, the command line or a drop; what happens depends on their kind.
+struct TakeFile {
+    std::filesystem::path path;
+};
+/// Lays a preset of the shelf on the selected material.
+struct ApplyPreset {
+    std::string id;
+    bool replace_stack = false;
+};
+/// An image of the document as a new layer.
+struct AddImageAsLayer {
+    Hash128 image;
+};
+struct JumpToStep {
+    int position = 0;
+};
+struct CancelJob {
+    int job = 0;
+};
+struct DismissToast {
+    int toast = 0;
+};
+/// Asks for an image and puts it into a channel or a new mask entry of a layer.
+struct ChooseImageFor {
+    LayerId layer;
+    std::variant<Channel, MaskEntryId, std::monostate> part;  ///< monostate: a new mask entry
+};
+/// Looks into the pixel under a point of the viewport, in shares of the picture.
+struct PickAt {
+    float x = 0.0f;
+    float y = 0.0f;
+    bool explain = false;  ///< keep it under the crosshair
+};
+
+using Request = std::variant<Action, TakeFile, ApplyPreset, AddImageAsLayer, JumpToStep, CancelJob,
+                             DismissToast, ChooseImageFor, PickAt>;
+
+struct Requests {
+    Edits edits;
+    std::vector<Request> others;
+
+    void edit(Edit edit) { edits.push_back(std::move(edit)); }
+    void ask(Request request) { others.push_back(std::move(request)); }
+    void append(Requests more) {
+        for (Edit& each : more.edits) edits.push_back(std::move(each));
+        for (Request& each : more.others) others.push_back(std::move(each));
+    }
+};
+
+}  // namespace patina::editor

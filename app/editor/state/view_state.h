@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What is looked at and how: selection, camera, open panels. Not part of the document: neither
+/// undone nor saved with it.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "document/document.h"
+#include "render/view.h"
+
+namespace patina::editor {
+
+enum class RightTab { Layer, Material, Inspect };
+enum class NarrowTab { Layers, Properties };
+enum class ShelfTab { Presets, Images, Environments };
+enum class HistoryTab { History, Log };
+enum class ViewportTool { Move, Probe };
+
+/// Where splitters were put, in logical pixels; 0 is where the layout table has them.
+struct Splitters {
+    float left = 0.0f;
+    float right = 0.0f;
+    float shelf = 0.0f;
+    float materials = 0.0f;
+};
+
+/// Which parts are unfolded.
+struct Unfolded {
+    bool channels = true;
+    bool mask = true;
+    bool uv = true;
+    bool bake = true;
+    bool lights = true;
+    bool environment = true;
+    bool surface = true;
+    bool cost = true;
+    bool crosshair = true;
+    bool terms = true;
+    bool shelf = true;
+    std::optional<Channel> channel;  ///< whose source editor is open
+    bool uv_scale_linked = true;     ///< both scales change together
+    std::optional<MaskEntryId> mask_entry;
+};
+
+/// A layer under way in the layer list.
+struct LayerDrag {
+    LayerId layer;
+    bool moving = false;       ///< the pointer has left the 4 px around where it went down
+    LayerId over_group;        ///< a folded group under the pointer, which opens after a while
+    double over_since = 0.0;   ///< when it came under the pointer, in seconds
+};
+
+struct ViewState {
+    MaterialId material;
+    LayerId layer;
+    /// Camera, compare mode, shading ...; its environment and lights are the document's and are
+    /// filled in when it is drawn.
+    render::View view;
+    RightTab right_tab = RightTab::Layer;
+    NarrowTab narrow_tab = NarrowTab::Layers;
+    ShelfTab shelf_tab = ShelfTab::Presets;
+    HistoryTab history_tab = HistoryTab::History;
+    ViewportTool tool = ViewportTool::Move;
+    Splitters splitters;
+    Unfolded unfolded;
+    bool panels_hidden = false;
+    bool show_difference_beside = false;  ///< two views and the difference
+    std::string shelf_search;
+    std::string shelf_category;  ///< empty: all
+    std::optional<std::string> layer_search;
+    std::optional<std::string> material_search;
+    LayerDrag layer_drag;
+    LayerId renaming_layer;
+    MaterialId renaming_material;
+    /// The pixel of the viewport that is explained, in shares of the picture; unset: none.
+    std::optional<glm::vec2> crosshair;
+    /// The layer that is shown alone (Alt-click on its eye); 0: none.
+    LayerId solo;
+    /// Whose mask is shown in grey instead of the material; 0: none.
+    LayerId viewed_mask;
+};
+
+}  // namespace patina::editor
