@@ -59,6 +59,7 @@ enum class Action {
     DarkerExposure,
     FrameModel,
     ProbeTool,
+    ShowUv,
     SaveView,
     ResetLayout,
     HidePanels,

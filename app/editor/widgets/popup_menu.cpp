@@ -18,6 +18,7 @@ PopupMenu::PopupMenu(Ui& ui, const char* id, float min_width) : ui_(ui) {
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     ui.map.push_place("Popup");
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     // Wide enough for the widest row of the frame before.
     width_ = std::max(ui.px(min_width), ImGui::GetStateStorage()->GetFloat(ImGui::GetID("width")));
     ImGui::GetStateStorage()->SetFloat(ImGui::GetID("width"), 0.0f);

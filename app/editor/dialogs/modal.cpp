@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "editor/dialogs/modal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patina::editor {
+
+Modal::Modal(Ui& ui, const char* name, float width, float height, float top_share) : ui_(ui) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float w = std::min(ui.px(width), screen.x - ui.px(24));
+    const float h = std::min(ui.px(height), screen.y - ui.px(24));
+    const float x = std::floor(0.5f * (screen.x - w));
+    const float y = std::floor(top_share < 0.0f ? 0.5f * (screen.y - h) : top_share * screen.y);
+    ImGui::SetNextWindowPos(ImVec2(x, y));
+    ImGui::SetNextWindowSize(ImVec2(w, h));
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, theme::kPopup);
+    if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+    ImGui::BeginPopupModal(name, nullptr,
+                           ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+    ui.map.push_place(name);
+    content_ = {x, y, x + w, y + h};
+}
+
+Modal::~Modal() {
+    ui_.map.pop_place();
+    ImGui::EndPopup();
+    ImGui::PopStyleColor();
+}
+
+bool Modal::dismissed() const {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return true;
+    const ImVec2 mouse = ImGui::GetMousePos();
+    return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !content_.contains(mouse.x, mouse.y) &&
+           !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused();
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "editor/editor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "editor/keys.h"
+#include "editor/layout.h"
+#include "editor/panels/panels.h"
+#include "editor/window.h"
+#include "editor/workspace.h"
+
+namespace patina::editor {
+namespace {
+
+constexpr float kScaleStep = 0.25f;
+constexpr float kLeastScale = 1.0f;
+constexpr float kMostScale = 2.5f;
+/// Dear ImGui settles hovers and popups in the frames after an input.
+constexpr int kSettlingFrames = 3;
+
+float usable_scale(float wanted) {
+    return std::clamp(std::round(wanted / kScaleStep) * kScaleStep, kLeastScale, kMostScale);
+}
+
+Status apply_scale(Ui& ui, Window& window, float scale) {
+    Result<Fonts> fonts = load_fonts(scale);
+    if (!fonts) return passed_on(fonts);
+    ui.fonts = *fonts;
+    ui.scale = scale;
+    ImGui::GetStyle() = scaled_style(scale);
+    window.upload_fonts();
+    return {};
+}
+
+/// The window's root: everything is drawn into it, popups above.
+class RootWindow {
+  public:
+    RootWindow() {
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        ImGui::SetNextWindowPos(ImVec2(0, 0));
+        ImGui::SetNextWindowSize(size);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kBase);
+        ImGui::Begin("root", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus |
+                         ImGuiWindowFlags_NoScrollWithMouse);
+        rect_ = {0, 0, size.x, size.y};
+    }
+    ~RootWindow() {
+        ImGui::End();
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar();
+    }
+    RootWindow(const RootWindow&) = delete;
+    RootWindow& operator=(const RootWindow&) = delete;
+    const Rect& rect() const { return rect_; }
+
+  private:
+    Rect rect_;
+};
+
+Requests draw_narrow_left(Ui& ui, const Layout& layout, const Shown& shown, ViewState& view) {
+    // Layers share the right column with the properties.
+    Rect column = layout.right;
+    const Rect layers = column.cut_top(std::floor(column.height() * 0.42f));
+    column.cut_top(ui.px(theme::kGap));
+    Requests requests = draw_layers_panel(ui, layers, shown, view);
+    requests.append(draw_properties(ui, column, shown, view));
+    return requests;
+}
+
+Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState& view) {
+    Requests requests = draw_top_bar(ui, layout.top_bar, shown, view);
+    draw_splitters(ui, layout, view.splitters);
+    if (!layout.left.empty()) {
+        requests.append(draw_materials_panel(ui, layout.materials, shown, view));
+        requests.append(draw_layers_panel(ui, layout.layers, shown, view));
+        requests.append(draw_history_panel(ui, layout.history, shown, view));
+    }
+    requests.append(draw_viewport_bar(ui, layout.viewport_bar, shown, view));
+    requests.append(draw_viewport(ui, layout.viewport, shown, view));
+    requests.append(draw_channel_strip(ui, layout.strip, shown, view));
+    requests.append(draw_shelf(ui, layout.shelf, shown, view));
+    if (!layout.right.empty()) {
+        if (layout.width_class == WidthClass::Narrow)
+            requests.append(draw_narrow_left(ui, layout, shown, view));
+        else
+            requests.append(draw_properties(ui, layout.right, shown, view));
+    }
+    requests.append(draw_status_bar(ui, layout.status_bar, shown, view));
+    return requests;
+}
+
+void take_keys(const Ui& ui, Workspace& workspace, const Shown& shown) {
+    const bool popup =
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    // No key acts while typing or in a popup.
+    if (ImGui::GetIO().WantTextInput || ui.typing.id != 0 || popup || workspace.dialog_open())
+        return;
+    ViewState& view = workspace.view();
+    if (const auto channel = pressed_channel()) view.view.channel = *channel;
+    if (const auto action = pressed_action(); action && applies(*action, shown))
+        workspace.perform(*action);
+    if (view.view.compare == render::CompareMode::Split)
+        view.view.divider = std::clamp(
+            view.view.divider + 0.01f * static_cast<float>(pressed_divider_step()), 0.0f, 1.0f);
+    if (pressed_escape() && !view.layer_drag.moving) {
+        view.tool = ViewportTool::Move;
+        view.crosshair.reset();
+        view.solo = {};
+        view.viewed_mask = {};
+        workspace.session().forget_texel();
+    }
+}
+
+void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
+    if (const auto action = workspace.palette().draw(ui, shown)) workspace.perform(*action);
+    workspace.file_dialog().draw(ui);
+    workspace.question().draw(ui);
+    workspace.keys().draw(ui);
+}
+
+Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
+    Session::FrameInput input;
+    const auto pixels = [](float size) { return std::max(static_cast<int>(size), 1); };
+    input.viewport = {pixels(layout.viewport.width()), pixels(layout.viewport.height())};
+    if (!layout.strip.empty()) {
+        const float width = layout.strip.width() / render::kStripChannelCount;
+        input.strip_card = {pixels(width), pixels(width * 134.0f / 240.0f)};
+    }
+    const ImVec2 mouse = ImGui::GetMousePos();
+    if (view.tool == ViewportTool::Probe && layout.viewport.contains(mouse.x, mouse.y))
+        input.hovered = glm::vec2((mouse.x - layout.viewport.x0) / layout.viewport.width(),
+                                  (mouse.y - layout.viewport.y0) / layout.viewport.height());
+    input.moving = ImGui::IsAnyMouseDown();
+    return input;
+}
+
+void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout& layout) {
+    const ViewState& view = workspace.view();
+    UiMap& map = ui.map;
+    map.set_fact("settled", workspace.session().settled() ? "yes" : "no");
+    map.set_fact("document", shown.document ? shown.file_name : "");
+    map.set_fact("edited", shown.edited ? "yes" : "no");
+    map.set_fact("undo", shown.history.can_undo ? "yes" : "no");
+    map.set_fact("redo", shown.history.can_redo ? "yes" : "no");
+    map.set_fact("steps", std::to_string(shown.history.labels.size()));
+    map.set_fact("material", shown.material ? shown.material->name : "");
+    map.set_fact("layer", shown.layer ? shown.layer->name : "");
+    map.set_fact("channel", render::info(view.view.channel).id);
+    map.set_fact("compare", render::kCompareModes[static_cast<std::size_t>(view.view.compare)].id);
+    map.set_fact("left",
+                 render::kShadingModels[static_cast<std::size_t>(view.view.left.model)].id);
+    map.set_fact("divider", fmt::format("{:.3f}", view.view.divider));
+    map.set_fact("viewport",
+                 fmt::format("{} {} {} {}", layout.viewport.x0, layout.viewport.y0,
+                             layout.viewport.width(), layout.viewport.height()));
+    map.set_fact("scale", fmt::format("{:.2f}", ui.scale));
+}
+
+/// One frame. Returns the seconds to wait before the next; negative: until something happens.
+double draw_frame(Ui& ui, Window& window, Workspace& workspace) {
+    window.begin_frame();
+    ui.begin_frame();
+    Session& session = workspace.session();
+    ViewState& view = workspace.view();
+    {
+        const RootWindow root;
+        const LayoutNeeds needs{session.has_document() ? session.document().materials.size() : 0};
+        const Layout layout = layout_for(ui, root.rect(), view, needs);
+        session.update(view, frame_input(layout, view));
+        const Shown shown = session.shown(view);
+        Requests requests = draw_panels(ui, layout, shown, view);
+        draw_dialogs(ui, workspace, shown);
+        take_keys(ui, workspace, shown);
+        workspace.carry_out(std::move(requests));
+        if (ui.edit_ended && session.has_document()) session.history().seal();
+        if (!shown.toasts.empty()) ui.wake_in(0.5);
+        ui.end_frame();
+        state_facts(ui, workspace, shown, layout);
+    }
+    if (const Status written = ui.map.end_frame(); !written)
+        std::fprintf(stderr, "patina: %s\n", written.error().message.c_str());
+    window.end_frame();
+    return session.wants_frame() ? 0.0 : ui.seconds_to_wake();
+}
+
+std::string title_of(Session& session) {
+    if (!session.has_document()) return "Patina";
+    const std::string name =
+        session.path().empty() ? "shader_ball.glb" : session.path().filename().string();
+    return name + (session.is_edited() ? " \u2022 edited" : "") + " \u2013 Patina";
+}
+
+Status run_window(const Options& options) {
+    Result<Window> opened = Window::open(
+        {.width = options.window_width, .height = options.window_height, .title = "Patina"});
+    if (!opened) return passed_on(opened);
+    Window window = std::move(*opened);
+    Ui ui;
+    ui.map.write_to(options.ui_map);
+    const float scale =
+        usable_scale(options.scale > 0.0f ? options.scale : window.content_scale());
+    if (const Status scaled = apply_scale(ui, window, scale); !scaled) return scaled;
+    Result<std::unique_ptr<Session>> session = Session::create(&Window::wake);
+    if (!session) return passed_on(session);
+    Workspace workspace(std::move(*session));
+    if (options.file) workspace.take_file(*options.file);
+    std::string title;
+    int frames_left = kSettlingFrames;
+    double wait_seconds = 0.0;
+    while (!workspace.quitting()) {
+        if (frames_left > 0)
+            window.poll();
+        else
+            window.wait(wait_seconds);
+        if (window.take_input()) frames_left = kSettlingFrames;
+        for (const auto& path : window.take_dropped()) workspace.take_file(path);
+        if (window.close_wanted()) {
+            window.refuse_close();
+            workspace.quit();
+        }
+        if (const int steps = workspace.take_scale_steps(); steps != 0) {
+            const float next = usable_scale(ui.scale + kScaleStep * static_cast<float>(steps));
+            if (const Status scaled = apply_scale(ui, window, next); !scaled) return scaled;
+            frames_left = kSettlingFrames;
+        }
+        wait_seconds = draw_frame(ui, window, workspace);
+        if (frames_left > 0) --frames_left;
+        if (const std::string wanted = title_of(workspace.session()); wanted != title) {
+            title = wanted;
+            window.set_title(title);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+int run(const Options& options) {
+    const Status status = run_window(options);
+    if (status) return 0;
+    std::fprintf(stderr, "patina: %s\n", status.error().message.c_str());
+    return 1;
+}
+
+}  // namespace patina::editor

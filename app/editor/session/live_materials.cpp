@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "editor/session/live_materials.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/log.h"
+
+namespace patina::editor {
+namespace {
+
+/// Side of the maps that are made at once; larger ones follow when nothing newer is wanted.
+constexpr int kPreviewSize = 1024;
+
+}  // namespace
+
+LiveMaterials::LiveMaterials(std::function<void()> wake)
+    : wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+LiveMaterials::~LiveMaterials() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        current_.cancel();
+    }
+    work_.notify_all();
+    thread_.join();
+}
+
+void LiveMaterials::show(std::vector<MaterialPtr> materials, std::shared_ptr<ImageProvider> images,
+                         MaterialId first) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (materials == wanted_ && images == images_) {
+            first_ = first;
+            return;
+        }
+        if (images != images_) forget_ = true;
+        wanted_ = std::move(materials);
+        images_ = std::move(images);
+        first_ = first;
+        current_.cancel();
+    }
+    work_.notify_all();
+}
+
+std::vector<LiveMaterials::Changed> LiveMaterials::take() {
+    std::vector<Changed> result;
+    {
+        const std::lock_guard lock(mutex_);
+        result.swap(ready_);
+    }
+    if (!result.empty()) work_.notify_all();
+    return result;
+}
+
+bool LiveMaterials::settled() const {
+    const std::lock_guard lock(mutex_);
+    return !busy_ && !forget_ && ready_.empty() && !next_task();
+}
+
+/// The selected material before the others, previews before full sizes.
+std::optional<LiveMaterials::Task> LiveMaterials::next_task() const {
+    std::optional<Task> refinement;
+    std::optional<Task> preview;
+    for (const MaterialPtr& material : wanted_) {
+        const auto made = made_.find(material->id);
+        const bool is_first = material->id == first_;
+        const bool current = made != made_.end() && made->second.material == material;
+        const int least = std::min(material->resolution, kPreviewSize);
+        if (!current) {
+            if (!preview || is_first) preview = Task{material, least};
+        } else if (made->second.size < material->resolution) {
+            if (!refinement || is_first) refinement = Task{material, material->resolution};
+        }
+    }
+    return preview ? preview : refinement;
+}
+
+std::optional<LiveMaterials::Changed> LiveMaterials::make(const Task& task, Made& made,
+                                                          ImageProvider& images,
+                                                          const Progress& progress) {
+    const Program program = Program::compile(*task.material);
+    const std::vector<BakedMap> needed = render::baked_maps_of(program.slots());
+    Changed changed;
+    changed.source_material = task.material->source_material.value_or(-1);
+    MapSet maps;
+    if (!needed.empty()) {
+        for (const Hash128& image : program.images())
+            if (const auto pixels = images.pixels(image); !pixels)
+                log_warning("{}", pixels.error().message);
+        LiveComposite& composite = task.size > kPreviewSize ? made.full : made.preview;
+        const auto update = composite.update(program, images, task.size, progress);
+        if (!update) {
+            if (!progress.cancelled()) log_warning("{}", update.error().message);
+            return std::nullopt;
+        }
+        changed.elapsed_ms = update->elapsed_ms;
+        if (made.size == task.size && made.material) changed.texels = update->changed;
+        maps = composite.maps();
+    }
+    changed.surface = render::surface_of(*task.material, program.slots(), maps, images);
+    return changed;
+}
+
+void LiveMaterials::run() {
+    std::unique_lock lock(mutex_);
+    while (!stopping_) {
+        if (std::exchange(forget_, false)) made_.clear();
+        // One result at a time, so that maps are not held by a queue while they are updated.
+        const std::optional<Task> task = ready_.empty() ? next_task() : std::nullopt;
+        if (!task) {
+            work_.wait(lock);
+            continue;
+        }
+        const std::shared_ptr<ImageProvider> images = images_;
+        current_ = Progress();
+        const Progress progress = current_;
+        busy_ = true;
+        Made& made = made_[task->material->id];
+        lock.unlock();
+        std::optional<Changed> changed = make(*task, made, *images, progress);
+        lock.lock();
+        busy_ = false;
+        // A failure that is not a cancellation counts as made: it has been reported.
+        if (!forget_ && (changed || !progress.cancelled())) {
+            made.material = task->material;
+            made.size = task->size;
+        }
+        if (changed && !forget_) ready_.push_back(std::move(*changed));
+        lock.unlock();
+        changed.reset();
+        wake_();
+        lock.lock();
+    }
+}
+
+}  // namespace patina::editor

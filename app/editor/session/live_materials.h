@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The materials of the snapshot that is shown, composited on a worker: the selected one first, at a
+/// preview size at once and at its full size when nothing newer is wanted.
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "composite/composite.h"
+#include "core/progress.h"
+#include "document/document.h"
+#include "render/surface.h"
+
+namespace patina::editor {
+
+class LiveMaterials {
+  public:
+    /// A material whose surface changed, for the renderer.
+    struct Changed {
+        int source_material = -1;
+        render::SurfaceMaterial surface;
+        std::optional<TexelRect> texels;  ///< see Renderer::set_material
+        double elapsed_ms = 0.0;
+    };
+
+    /// @param wake  called from the worker when there is something to take
+    explicit LiveMaterials(std::function<void()> wake);
+    ~LiveMaterials();
+    LiveMaterials(const LiveMaterials&) = delete;
+    LiveMaterials& operator=(const LiveMaterials&) = delete;
+
+    /// Shows these materials from now on. Work on older ones is cut short.
+    void show(std::vector<MaterialPtr> materials, std::shared_ptr<ImageProvider> images,
+              MaterialId first);
+    /// What changed since the last call.
+    std::vector<Changed> take();
+    /// Everything wanted has been made and taken.
+    bool settled() const;
+
+  private:
+    /// What was last made of one material, and what makes the next update cheap.
+    struct Made {
+        MaterialPtr material;
+        int size = 0;
+        LiveComposite preview{std::size_t{128} << 20};
+        LiveComposite full{std::size_t{256} << 20};
+    };
+    struct Task {
+        MaterialPtr material;
+        int size = 0;
+    };
+
+    void run();
+    std::optional<Task> next_task() const;
+    static std::optional<Changed> make(const Task& task, Made& made, ImageProvider& images,
+                                       const Progress& progress);
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable work_;
+    std::vector<MaterialPtr> wanted_;
+    std::shared_ptr<ImageProvider> images_;
+    MaterialId first_;
+    std::vector<Changed> ready_;
+    Progress current_;
+    bool busy_ = false;
+    bool forget_ = false;  ///< another document: what was made is of no use
+    bool stopping_ = false;
+    std::map<MaterialId, Made> made_;  ///< entries are made and dropped by the worker, under the lock
+    std::thread thread_;
+};
+
+}  // namespace patina::editor

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What is open and the work around it. One-way flow: a snapshot of the History goes through the
+/// compositor on a worker to the renderer's textures; edits come back. Lives on the thread that
+/// draws; everything slow runs on workers and comes back as values.
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/history.h"
+#include "editor/session/jobs.h"
+#include "editor/session/live_materials.h"
+#include "editor/session/thumbnail_cache.h"
+#include "editor/session/viewport_picture.h"
+#include "editor/state/shown.h"
+#include "editor/state/view_state.h"
+#include "io/image_store.h"
+#include "io/load.h"
+#include "io/preset_library.h"
+
+namespace patina::editor {
+
+class Session {
+  public:
+    /// Needs the window's OpenGL context. `wake` may be called from any thread.
+    static Result<std::unique_ptr<Session>> create(std::function<void()> wake);
+    ~Session();
+
+    // Files. All of them return at once; what comes of it shows in jobs and toasts.
+    void open(const std::filesystem::path& path);
+    void open_sample();
+    /// @param after  called when the file has been written
+    void save(const std::filesystem::path& path, std::function<void()> after = {});
+    void export_maps(const std::filesystem::path& folder);
+    void save_view(const std::filesystem::path& path, const ViewState& view);
+    /// Reads an image on a worker and gives it to `use` as edits to make.
+    void with_image(const std::filesystem::path& path,
+                    std::function<void(const ImageAssetPtr&)> use);
+    void apply_preset_file(const io::PresetFile& file, const ViewState& view, bool replace_stack);
+    void use_environment_file(const std::filesystem::path& path);
+
+    // The document.
+    bool has_document() const { return history_.has_value(); }
+    const Document& document() const { return *history_->document(); }
+    MaterialPtr selected_material(const ViewState& view) const;
+    LayerPtr selected_layer(const ViewState& view) const;
+    /// Applies an edit; a refusal becomes a toast.
+    bool apply(const Edit& edit);
+    History& history() { return *history_; }
+    bool is_edited() const { return history_ && history_->is_edited(); }
+    const std::filesystem::path& path() const { return path_; }
+    const std::vector<io::PresetFile>& presets() const { return presets_; }
+    const Bounds& bounds() const { return picture_.bounds(); }
+
+    // Around it.
+    void toast(ToastKind kind, std::string message, std::string link = {},
+               Action action = Action::Undo);
+    void dismiss(int toast);
+    void cancel(int job) { jobs_.cancel(job); }
+    /// Looks into a pixel, in shares of the picture.
+    std::optional<render::Pick> pick(glm::vec2 at);
+    void explain(ViewState& view, glm::vec2 at);
+    void forget_texel() { texel_.reset(); }
+
+    // A frame.
+    /// Takes what the workers made, brings the picture up to date, and says what panels show.
+    /// True when the viewport changed and another frame is wanted.
+    struct FrameInput {
+        render::PictureSize viewport;
+        render::PictureSize strip_card;
+        std::optional<glm::vec2> hovered;  ///< with the eyedropper, in shares of the picture
+        bool moving = false;               ///< a drag is under way: speed before sharpness
+    };
+    void update(ViewState& view, const FrameInput& input);
+    Shown shown(const ViewState& view);
+    /// Nothing is under way: what is on screen is final.
+    bool settled() const;
+    bool working() const { return jobs_.running(); }
+    bool wants_frame() const { return wants_frame_; }
+
+  private:
+    struct Toast {
+        ToastShown shown;
+        double until = 0.0;  ///< in seconds of the interface's clock; 0: stays
+    };
+
+    Session(std::function<void()> wake, ViewportPicture picture);
+    void adopt(io::LoadedDocument loaded, std::filesystem::path path);
+    void select_something(ViewState& view) const;
+    void show_materials(const ViewState& view);
+    void follow_environment();
+    void filter_environment(const std::string& name);
+    void expire_toasts();
+    void report_job_failure(const Error& error);
+
+    std::function<void()> wake_;
+    std::optional<History> history_;
+    std::shared_ptr<io::ImageStore> images_;
+    std::filesystem::path path_;
+    bool frame_new_document_ = false;
+    ViewportPicture picture_;
+    std::string environment_name_;
+    int environment_generation_ = 0;
+    std::vector<io::PresetFile> presets_;
+    std::vector<const Preset*> preset_list_;
+    std::vector<EnvironmentShown> environments_;
+    std::optional<TexelShown> texel_;
+    std::optional<render::Probe> hovered_;
+    std::vector<JobShown> jobs_shown_;
+    std::vector<Toast> toasts_;
+    std::vector<ToastShown> toasts_shown_;
+    int next_toast_ = 1;
+    std::vector<LogLine> log_;
+    std::shared_ptr<std::deque<LogLine>> log_inbox_;
+    std::shared_ptr<std::mutex> log_mutex_;
+    double composite_ms_ = 0.0;
+    double frame_ms_ = 0.0;
+    bool wants_frame_ = false;
+    // Workers last: they are stopped before what they use is gone.
+    ThumbnailCache thumbnails_;
+    LiveMaterials live_;
+    Jobs jobs_;
+};
+
+}  // namespace patina::editor

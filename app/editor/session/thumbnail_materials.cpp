@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "editor/session/thumbnail_materials.h"
+
+#include <utility>
+
+namespace patina::editor {
+namespace {
+
+Material stack_of(std::vector<Layer> layers) {
+    Material material;
+    material.id = {1};
+    for (Layer& layer : layers) material.stack.push_back(std::make_shared<Layer>(std::move(layer)));
+    return material;
+}
+
+Layer only_base_color(Source source) {
+    Layer layer;
+    layer.id = {1};
+    ChannelSettings& base = at(layer.channels, Channel::BaseColor);
+    base.enabled = true;
+    base.source = std::move(source);
+    return layer;
+}
+
+/// A number is shown as a grey, a normal as its usual colour, a height around middle grey.
+Source as_color(const Source& source, Channel channel) {
+    const ChannelKind kind = info(channel).kind;
+    const auto shown = [kind](const glm::vec3& value) {
+        if (kind == ChannelKind::Color) return value;
+        if (kind == ChannelKind::Scalar) return glm::vec3(value.x);
+        return kind == ChannelKind::Normal ? value * 0.5f + 0.5f
+                                           : glm::vec3(value.x * 0.5f + 0.5f);
+    };
+    Source result = source;
+    if (auto* constant = std::get_if<ConstantSource>(&result))
+        constant->value = shown(constant->value);
+    if (auto* procedural = std::get_if<ProceduralSource>(&result))
+        for (RampStop& stop : procedural->ramp) stop.value = shown(stop.value);
+    if (auto* image = std::get_if<ImageSource>(&result)) {
+        image->color_space = ColorSpace::Srgb;  // the picture as it is stored
+        image->multiply = glm::vec3(1.0f);
+        image->add = glm::vec3(0.0f);
+        image->directx_normal = false;
+    }
+    return result;
+}
+
+std::optional<Channel> shown_channel(const Layer& layer) {
+    for (const ChannelInfo& row : kChannels)
+        if (at(layer.channels, row.channel).enabled) return row.channel;
+    return std::nullopt;
+}
+
+Layer white_through(Mask mask) {
+    Layer layer = only_base_color(ConstantSource{glm::vec3(1.0f)});
+    layer.id = {2};
+    layer.mask = std::move(mask);
+    return layer;
+}
+
+/// The layer with that id and the groups around it, and nothing else.
+std::vector<LayerPtr> only_branch(const std::vector<LayerPtr>& layers, LayerId id) {
+    std::vector<LayerPtr> result;
+    for (const LayerPtr& layer : layers) {
+        if (layer->id == id) {
+            result.push_back(layer);
+            continue;
+        }
+        const auto* group = std::get_if<GroupContent>(&layer->content);
+        if (group == nullptr) continue;
+        std::vector<LayerPtr> children = only_branch(group->children, id);
+        if (children.empty()) continue;
+        Layer copy = *layer;
+        std::get<GroupContent>(copy.content).children = std::move(children);
+        result.push_back(std::make_shared<Layer>(std::move(copy)));
+    }
+    return result;
+}
+
+}  // namespace
+
+Material layer_thumbnail(const Layer& layer) {
+    if (layer.is_group()) {
+        Layer copy = layer;
+        copy.visible = true;
+        copy.opacity = 1.0f;
+        copy.mode = BlendMode::Normal;
+        copy.mask = {};
+        for (ChannelSettings& settings : copy.channels) settings.opacity = 1.0f;
+        return stack_of({std::move(copy)});
+    }
+    const std::optional<Channel> channel = shown_channel(layer);
+    if (!channel) return stack_of({});
+    return channel_thumbnail(layer, *channel);
+}
+
+Material mask_thumbnail(const Layer& layer) {
+    return stack_of({only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(layer.mask)});
+}
+
+Material mask_entry_thumbnail(const MaskEntry& entry) {
+    Mask mask;
+    MaskEntry alone = entry;
+    alone.visible = true;
+    alone.opacity = 1.0f;
+    alone.combine = MaskCombine::Replace;
+    mask.entries.push_back(std::move(alone));
+    return stack_of(
+        {only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(std::move(mask))});
+}
+
+Material channel_thumbnail(const Layer& layer, Channel channel) {
+    return stack_of({only_base_color(as_color(at(layer.channels, channel).source, channel))});
+}
+
+Material preset_thumbnail(const Preset& preset) {
+    Material material;
+    material.id = {1};
+    material.stack = preset.layers;
+    return material;
+}
+
+Material with_only_layer(const Material& material, LayerId layer) {
+    Material copy = material;
+    copy.stack = only_branch(material.stack, layer);
+    return copy;
+}
+
+Material with_mask_shown(const Material& material, LayerId layer) {
+    const LayerPtr found = find_layer(material, layer);
+    if (!found) return material;
+    Material shown = mask_thumbnail(*found);
+    Material copy = material;
+    copy.stack = std::move(shown.stack);
+    return copy;
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Small materials whose base colour is a thumbnail: of a layer alone, of a mask, of one source.
+
+#include "document/document.h"
+#include "document/preset.h"
+
+namespace patina::editor {
+
+/// The layer by itself, everywhere: without its mask, opacity and place in the stack. Where it has
+/// no base colour, its first other channel is shown as a grey or a colour.
+Material layer_thumbnail(const Layer& layer);
+/// White where the layer's mask lets it through, on black.
+Material mask_thumbnail(const Layer& layer);
+Material mask_entry_thumbnail(const MaskEntry& entry);
+Material channel_thumbnail(const Layer& layer, Channel channel);
+Material preset_thumbnail(const Preset& preset);
+
+/// What is shown instead of `material` while a layer is shown alone or its mask is viewed.
+Material with_only_layer(const Material& material, LayerId layer);
+Material with_mask_shown(const Material& material, LayerId layer);
+
+}  // namespace patina::editor

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "editor/session/viewport_picture.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/log.h"
+
+namespace patina::editor {
+namespace {
+
+/// A frame that takes longer is drawn at half its size while something moves.
+constexpr double kSlowFrameMs = 24.0;
+
+void report(const Error& error) {
+    log_warning("{}", error.message);
+}
+
+/// What the strip shows does not depend on the channel, the divider or the right shading.
+render::View strip_view_of(const render::View& view) {
+    render::View strip = view;
+    strip.compare = render::CompareMode::Single;
+    strip.channel = render::ChannelView::Final;
+    strip.divider = 0.5f;
+    strip.right = {};
+    strip.difference_range = 1.0f;
+    return strip;
+}
+
+}  // namespace
+
+Result<ViewportPicture> ViewportPicture::create() {
+    Result<render::Renderer> renderer = render::Renderer::create();
+    if (!renderer) return passed_on(renderer);
+    return ViewportPicture(std::move(*renderer));
+}
+
+void ViewportPicture::set_scene(const ScenePtr& scene) {
+    renderer_.clear_materials();
+    if (const Status set = renderer_.set_scene(scene); !set) report(set.error());
+    scene_changed_ = true;
+}
+
+void ViewportPicture::set_materials(const std::vector<LiveMaterials::Changed>& changed) {
+    for (const LiveMaterials::Changed& each : changed) {
+        const Status set =
+            renderer_.set_material(each.source_material, each.surface, each.texels);
+        if (!set) report(set.error());
+        scene_changed_ = true;
+    }
+}
+
+void ViewportPicture::set_environment(const render::FilteredEnvironment& environment) {
+    if (const Status set = renderer_.set_environment(environment); !set) report(set.error());
+    scene_changed_ = true;
+}
+
+bool ViewportPicture::draw(const render::View& view, render::PictureSize size,
+                           render::PictureSize card, bool moving) {
+    if (size.width < 1 || size.height < 1) return false;
+    const bool half = moving && frame_ms_ > kSlowFrameMs;
+    const render::PictureSize wanted =
+        half ? render::PictureSize{std::max(size.width / 2, 1), std::max(size.height / 2, 1)}
+             : size;
+    bool drew = false;
+    const bool stale = scene_changed_ || !drawn_ || *drawn_ != view ||
+                       (drawn_size_ != wanted && !(half && drawn_size_ == size));
+    if (stale) {
+        const auto begun = std::chrono::steady_clock::now();
+        if (Result<render::FrameStats> stats = renderer_.draw(view, wanted))
+            stats_ = std::move(*stats);
+        else
+            report(stats.error());
+        const double spent = std::chrono::duration<double, std::milli>(
+                                 std::chrono::steady_clock::now() - begun)
+                                 .count();
+        // Half a picture says what a whole one would take.
+        frame_ms_ = half ? std::max(spent, frame_ms_ * 0.97) : spent;
+        strip_stale_ = strip_stale_ || scene_changed_;
+        drawn_ = view;
+        drawn_size_ = wanted;
+        scene_changed_ = false;
+        ++pictures_drawn_;
+        drew = true;
+    }
+    sharp_ = drawn_size_ == size;
+    const render::View strip = strip_view_of(view);
+    strip_drawn_ = card.width < 1 ||
+                   (!strip_stale_ && strip_view_ && *strip_view_ == strip && strip_size_ == card);
+    if (!strip_drawn_ && !moving) {
+        if (const Status drawn = renderer_.draw_strip(strip, card); !drawn)
+            report(drawn.error());
+        else
+            strip_drawn_once_ = true;
+        strip_view_ = strip;
+        strip_size_ = card;
+        strip_stale_ = false;
+        strip_drawn_ = true;
+        drew = true;
+    }
+    return drew;
+}
+
+render::Pixel ViewportPicture::pixel(glm::vec2 at) const {
+    const auto along = [](float share, int count) {
+        return std::clamp(static_cast<int>(share * static_cast<float>(count)), 0, count - 1);
+    };
+    return {along(at.x, std::max(drawn_size_.width, 1)),
+            along(at.y, std::max(drawn_size_.height, 1))};
+}
+
+std::optional<render::Probe> ViewportPicture::probe(glm::vec2 at) {
+    if (!drawn_) return std::nullopt;
+    const Result<std::optional<render::Probe>> probe = renderer_.probe(pixel(at));
+    if (probe) return *probe;
+    report(probe.error());
+    return std::nullopt;
+}
+
+std::optional<render::Pick> ViewportPicture::pick(glm::vec2 at) {
+    if (!drawn_) return std::nullopt;
+    return renderer_.pick(pixel(at));
+}
+
+Result<Image> ViewportPicture::still(const render::View& view, render::PictureSize size,
+                                     int samples) {
+    return renderer_.still_srgb(view, size, samples);
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The picture of the viewport and the strip of channels: drawn when the view, the scene or the
+/// light has changed, and not otherwise.
+
+#include <optional>
+
+#include "core/result.h"
+#include "editor/session/live_materials.h"
+#include "render/renderer.h"
+
+namespace patina::editor {
+
+class ViewportPicture {
+  public:
+    static Result<ViewportPicture> create();
+
+    void set_scene(const ScenePtr& scene);
+    void set_materials(const std::vector<LiveMaterials::Changed>& changed);
+    void set_environment(const render::FilteredEnvironment& environment);
+
+    /// Draws what is out of date. While `moving` a slow picture is drawn at half its size and the
+    /// strip is left for later. True when something was drawn.
+    bool draw(const render::View& view, render::PictureSize size, render::PictureSize card,
+              bool moving);
+    /// What draw() would still have to do if nothing moved.
+    bool out_of_date() const { return !sharp_ || !strip_drawn_; }
+
+    const render::FrameStats& stats() const { return stats_; }
+    double frame_ms() const { return frame_ms_; }
+    int pictures_drawn() const { return pictures_drawn_; }
+    const Bounds& bounds() const { return renderer_.bounds_world(); }
+    std::uintptr_t texture() const { return drawn_ ? renderer_.picture_texture() : 0; }
+    std::uintptr_t strip_texture() const { return strip_drawn_once_ ? renderer_.strip_texture() : 0; }
+
+    /// At a point in shares of the picture.
+    std::optional<render::Probe> probe(glm::vec2 at);
+    std::optional<render::Pick> pick(glm::vec2 at);
+    render::Pixel pixel(glm::vec2 at) const;
+    Result<Image> still(const render::View& view, render::PictureSize size, int samples);
+
+  private:
+    explicit ViewportPicture(render::Renderer renderer) : renderer_(std::move(renderer)) {}
+
+    render::Renderer renderer_;
+    std::optional<render::View> drawn_;
+    std::optional<render::View> strip_view_;
+    render::PictureSize drawn_size_;
+    render::PictureSize strip_size_;
+    bool scene_changed_ = true;
+    bool strip_stale_ = true;
+    bool sharp_ = false;  ///< drawn at full size
+    bool strip_drawn_ = false;
+    bool strip_drawn_once_ = false;
+    render::FrameStats stats_;
+    double frame_ms_ = 0.0;
+    int pictures_drawn_ = 0;
+};
+
+}  // namespace patina::editor

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The editor's whole state beside its window: the session, what is looked at, the dialogs; and how
+/// requests are carried out.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "editor/dialogs/file_dialog.h"
+#include "editor/dialogs/palette.h"
+#include "editor/dialogs/question.h"
+#include "editor/session/session.h"
+#include "editor/state/requests.h"
+#include "editor/state/view_state.h"
+
+namespace patina::editor {
+
+class Workspace {
+  public:
+    explicit Workspace(std::unique_ptr<Session> session) : session_(std::move(session)) {}
+
+    Session& session() { return *session_; }
+    ViewState& view() { return view_; }
+    FileDialog& file_dialog() { return file_dialog_; }
+    Palette& palette() { return palette_; }
+    QuestionDialog& question() { return question_; }
+    KeysDialog& keys() { return keys_; }
+    bool dialog_open() const {
+        return file_dialog_.is_open() || palette_.is_open() || question_.is_open() ||
+               keys_.is_open();
+    }
+
+    /// Edits first, in one go, then the rest.
+    void carry_out(Requests requests);
+    void perform(Action action);
+    /// A model is opened, an image becomes a layer, a preset is applied, a panorama lights.
+    void take_file(const std::filesystem::path& path);
+    /// Asks first when there are unsaved edits.
+    void quit();
+    bool quitting() const { return quitting_; }
+    /// Steps of the interface's scale that were asked for since the last call.
+    int take_scale_steps() { return std::exchange(scale_steps_, 0); }
+
+  private:
+    void carry_out_one(const Request& request);
+    void perform_file(Action action);
+    void perform_layer(Action action);
+    void perform_view(Action action);
+    void add_layer_and_select(const Layer& layer);
+    void select_neighbour(int step);
+    void move_selected(int step);
+    void save_then(std::function<void()> after);
+    void ask_save_as();
+    void ask_image(std::function<void(const ImageAssetPtr&)> use);
+    void choose_image_for(const ChooseImageFor& request);
+    void when_edits_may_go(std::function<void()> go_on);
+    void use_image(const ImageAssetPtr& image, Edit edit, std::string label);
+    void apply_preset_by_id(const ApplyPreset& request);
+    void apply_preset_from(const std::filesystem::path& path);
+
+    std::unique_ptr<Session> session_;
+    ViewState view_;
+    FileDialog file_dialog_;
+    Palette palette_;
+    QuestionDialog question_;
+    KeysDialog keys_;
+    bool quitting_ = false;
+    int scale_steps_ = 0;
+};
+
+}  // namespace patina::editor
