@@ -26,7 +26,7 @@ void draw_spinner(Ui& ui, const Rect& rect) {
     constexpr int kDots = 8;
     const int turn = static_cast<int>(ImGui::GetTime() / kSpinnerStep) % kDots;
     for (int i = 0; i < kDots; ++i) {
-        const float angle = static_cast<float>(i) * 2.0f * IM_PI / kDots;
+        const float angle = static_cast<float>(i) * 6.2831853f / kDots;
         const int age = (turn - i + kDots) % kDots;
         const ImU32 color = with_alpha(theme::kAccentHigh, static_cast<unsigned>(255 - 26 * age));
         disc(ui, rect.center_x() + std::cos(angle) * 4.5f * ui.scale,

@@ -23,7 +23,7 @@ void draw_mark(const Ui& ui, const Rect& rect) {
     };
     list.AddCircleFilled(ImVec2(x, y), r, rgb(0x2A6B60), 48);
     // The right half, bounded at the left by a flatter arc.
-    list.PathArcTo(ImVec2(x, y), r, -IM_PI / 2, IM_PI / 2, 32);
+    list.PathArcTo(ImVec2(x, y), r, -1.5707963f, 1.5707963f, 32);
     list.PathBezierQuadraticCurveTo(at(6, 11), at(11, 1), 24);
     list.PathFillConvex(rgb(0x45BFA9));
     // The copper crescent at the upper left.

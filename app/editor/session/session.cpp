@@ -336,7 +336,10 @@ void Session::explain(ViewState& view, glm::vec2 at) {
     if (!material) return;
     view.crosshair = at;
     view.material = material->id;
-    TexelShown texel{.probe = *probe, .pixel = picture_.pixel(at), .material = material->id};
+    TexelShown texel;
+    texel.probe = *probe;
+    texel.pixel = picture_.pixel(at);
+    texel.material = material->id;
     const int size = material->resolution;
     const auto texel_at = [size](float uv) {
         const float wrapped = uv - std::floor(uv);

@@ -8,17 +8,14 @@
 namespace patina::editor {
 
 std::string number_text(double value, const NumberFormat& format) {
-    std::string digits = fmt::format("{:.{}f}", std::fabs(value), format.decimals);
+    const std::string digits = fmt::format("{:.{}f}", std::fabs(value), format.decimals);
     const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
-    if (value < 0.0 && !is_zero)
-        digits.insert(0, "\u2212");
-    else if (format.always_signed && !is_zero)
-        digits.insert(0, "+");
-    if (!format.unit.empty()) {
-        if (format.unit != "\u00b0") digits += ' ';
-        digits += format.unit;
-    }
-    return digits;
+    const std::string_view sign = is_zero              ? ""
+                                  : value < 0.0        ? "\u2212"
+                                  : format.always_signed ? "+"
+                                                         : "";
+    const std::string_view space = format.unit.empty() || format.unit == "\u00b0" ? "" : " ";
+    return fmt::format("{}{}{}{}", sign, digits, space, format.unit);
 }
 
 std::string megabytes(std::uint64_t bytes, int decimals) {
