@@ -156,12 +156,10 @@ void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout&
     map.set_fact("layer", shown.layer ? shown.layer->name : "");
     map.set_fact("channel", render::info(view.view.channel).id);
     map.set_fact("compare", render::kCompareModes[static_cast<std::size_t>(view.view.compare)].id);
-    map.set_fact("left",
-                 render::kShadingModels[static_cast<std::size_t>(view.view.left.model)].id);
+    map.set_fact("left", render::kShadingModels[static_cast<std::size_t>(view.view.left.model)].id);
     map.set_fact("divider", fmt::format("{:.3f}", view.view.divider));
-    map.set_fact("viewport",
-                 fmt::format("{} {} {} {}", layout.viewport.x0, layout.viewport.y0,
-                             layout.viewport.width(), layout.viewport.height()));
+    map.set_fact("viewport", fmt::format("{} {} {} {}", layout.viewport.x0, layout.viewport.y0,
+                                         layout.viewport.width(), layout.viewport.height()));
     map.set_fact("scale", fmt::format("{:.2f}", ui.scale));
 }
 
@@ -206,8 +204,7 @@ Status run_window(const Options& options) {
     Window window = std::move(*opened);
     Ui ui;
     ui.map.write_to(options.ui_map);
-    const float scale =
-        usable_scale(options.scale > 0.0f ? options.scale : window.content_scale());
+    const float scale = usable_scale(options.scale > 0.0f ? options.scale : window.content_scale());
     if (const Status scaled = apply_scale(ui, window, scale); !scaled) return scaled;
     Result<std::unique_ptr<Session>> session = Session::create(&Window::wake);
     if (!session) return passed_on(session);

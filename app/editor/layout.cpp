@@ -63,8 +63,7 @@ void cut_left_column(const Ui& ui, Layout& layout, const ViewState& view,
     layout.materials = column.cut_top(ui.px(chosen(view.splitters.materials, standard)));
     column.cut_top(gap);
     if (layout.width_class == WidthClass::Wide) {
-        layout.history =
-            column.cut_bottom(ui.px(theme::kPanelTitle + 4 * theme::kHistoryRow + 6));
+        layout.history = column.cut_bottom(ui.px(theme::kPanelTitle + 4 * theme::kHistoryRow + 6));
         column.cut_bottom(gap);
     }
     layout.layers = column;
@@ -74,8 +73,7 @@ void cut_center_column(const Ui& ui, Layout& layout, Rect column, const ViewStat
                        const LayoutNeeds& needs) {
     const Measures measures = measures_of(layout.width_class);
     if (!view.panels_hidden && needs.histogram <= 0.0f) {
-        const bool title_only =
-            !view.unfolded.shelf || layout.width_class == WidthClass::Narrow;
+        const bool title_only = !view.unfolded.shelf || layout.width_class == WidthClass::Narrow;
         const float standard =
             title_only ? theme::kPanelTitle : chosen(view.splitters.shelf, measures.shelf);
         layout.shelf = column.cut_bottom(ui.px(standard));

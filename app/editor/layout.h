@@ -30,7 +30,8 @@ struct Layout {
 /// What decides the heights within the left column.
 struct LayoutNeeds {
     std::size_t materials = 0;
-    float histogram = 0.0f;  ///< logical height below the viewport instead of the strip; 0: the strip
+    float histogram =
+        0.0f;  ///< logical height below the viewport instead of the strip; 0: the strip
 };
 
 Layout layout_for(const Ui& ui, const Rect& window, const ViewState& view,

@@ -95,8 +95,7 @@ Result<Window> Window::open(const Description& description) {
         return failure("no window: {}; `patina bake` and `patina render` need none", last_error());
     auto state = std::make_unique<State>();
     state->handle = try_window(description, GLFW_EGL_CONTEXT_API);
-    if (state->handle == nullptr)
-        state->handle = try_window(description, GLFW_NATIVE_CONTEXT_API);
+    if (state->handle == nullptr) state->handle = try_window(description, GLFW_NATIVE_CONTEXT_API);
     if (state->handle == nullptr)
         return failure("no window with OpenGL 4.1: {}; update the graphics driver", last_error());
     glfwMakeContextCurrent(state->handle);

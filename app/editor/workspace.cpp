@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kModels = {".glb", ".gltf"};
-const std::vector<std::string> kImages = {".png", ".jpg", ".jpeg", ".tif", ".tiff",
-                                          ".exr", ".hdr", ".webp", ".psd", ".tga", ".bmp"};
+const std::vector<std::string> kImages = {".png", ".jpg",  ".jpeg", ".tif", ".tiff", ".exr",
+                                          ".hdr", ".webp", ".psd",  ".tga", ".bmp"};
 
 std::string ending_of(const fs::path& path) {
     std::string ending = path.extension().string();
@@ -124,8 +124,8 @@ void Workspace::save_then(std::function<void()> after) {
 }
 
 void Workspace::ask_save_as() {
-    const std::string name = session_->path().empty() ? "shader_ball.glb"
-                                                      : session_->path().filename().string();
+    const std::string name =
+        session_->path().empty() ? "shader_ball.glb" : session_->path().filename().string();
     file_dialog_.open({.title = "Save as",
                        .button = "Save",
                        .extensions = kModels,
@@ -139,13 +139,12 @@ void Workspace::perform_file(Action action) {
     switch (action) {
         case Action::Open:
             when_edits_may_go([this] {
-                file_dialog_.open({.title = "Open a model",
-                                   .button = "Open",
-                                   .extensions = kModels,
-                                   .name = {},
-                                   .chosen = [this](const fs::path& path) {
-                                       session_->open(path);
-                                   }});
+                file_dialog_.open(
+                    {.title = "Open a model",
+                     .button = "Open",
+                     .extensions = kModels,
+                     .name = {},
+                     .chosen = [this](const fs::path& path) { session_->open(path); }});
             });
             return;
         case Action::OpenSample:
@@ -159,25 +158,23 @@ void Workspace::perform_file(Action action) {
             return;
         case Action::Export:
             if (session_->has_document())
-                file_dialog_.open({.title = "Export the baked maps and a copy of the model to",
-                                   .button = "Export here",
-                                   .extensions = {},
-                                   .name = {},
-                                   .folder = true,
-                                   .chosen = [this](const fs::path& folder) {
-                                       session_->export_maps(folder);
-                                   }});
+                file_dialog_.open(
+                    {.title = "Export the baked maps and a copy of the model to",
+                     .button = "Export here",
+                     .extensions = {},
+                     .name = {},
+                     .folder = true,
+                     .chosen = [this](const fs::path& folder) { session_->export_maps(folder); }});
             return;
         case Action::SaveView:
             if (session_->has_document())
-                file_dialog_.open({.title = "Save the view, 1920 \u00d7 1080",
-                                   .button = "Save",
-                                   .extensions = {".png"},
-                                   .name = "view.png",
-                                   .writing = true,
-                                   .chosen = [this](const fs::path& path) {
-                                       session_->save_view(path, view_);
-                                   }});
+                file_dialog_.open(
+                    {.title = "Save the view, 1920 \u00d7 1080",
+                     .button = "Save",
+                     .extensions = {".png"},
+                     .name = "view.png",
+                     .writing = true,
+                     .chosen = [this](const fs::path& path) { session_->save_view(path, view_); }});
             return;
         case Action::Quit:
             quit();
@@ -207,9 +204,8 @@ void Workspace::take_file(const fs::path& path) {
             session_->with_image(path, [this](const ImageAssetPtr& image) {
                 session_->apply(in_one_step(
                     "Add image " + image->name,
-                    {add_image(image),
-                     add_layer(*session_->selected_material(view_), image_layer(*image),
-                               top_of_stack())}));
+                    {add_image(image), add_layer(*session_->selected_material(view_),
+                                                 image_layer(*image), top_of_stack())}));
                 session_->history().seal();
             });
     } else {
@@ -244,8 +240,8 @@ void Workspace::choose_image_for(const ChooseImageFor& request) {
             const SourcePlace place = source_place(*material, *layer, *channel);
             ImageSource source{.image = image->hash};
             const bool color = info(*channel).kind == ChannelKind::Color;
-            source.color_space = color && image->type != SampleType::F32 ? ColorSpace::Srgb
-                                                                         : ColorSpace::Linear;
+            source.color_space =
+                color && image->type != SampleType::F32 ? ColorSpace::Srgb : ColorSpace::Linear;
             const auto* before = std::get_if<ImageSource>(find_source(*material, place));
             Edit edit = before != nullptr ? set_image(place, image) : set_source(place, source);
             use_image(image, std::move(edit), "Image of " + place.name);
@@ -471,8 +467,8 @@ void Workspace::perform_view(Action action) {
                 view.camera = render::framed_from(view.camera, session_->bounds(), 1.6f);
             return;
         case Action::ProbeTool:
-            view_.tool = view_.tool == ViewportTool::Probe ? ViewportTool::Move
-                                                           : ViewportTool::Probe;
+            view_.tool =
+                view_.tool == ViewportTool::Probe ? ViewportTool::Move : ViewportTool::Probe;
             return;
         case Action::ShowUv:
             view.channel = view.channel == render::ChannelView::Uv0 ? render::ChannelView::Final

@@ -10,7 +10,8 @@ namespace patina::render {
 namespace {
 
 std::vector<std::uint8_t> rgba_of(const Image& image) {
-    const auto texels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const auto texels =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto channels = static_cast<std::size_t>(image.channels);
     const bool grey = channels <= 2;
     const bool has_alpha = channels == 2 || channels == 4;

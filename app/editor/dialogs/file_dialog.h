@@ -16,12 +16,12 @@ namespace patina::editor {
 class FileDialog {
   public:
     struct Request {
-        std::string title;                     ///< "Open a model"
-        std::string button;                    ///< "Open"
-        std::vector<std::string> extensions;   ///< with the dot; empty: all
-        std::string name;                      ///< to begin with, of a file to write
-        bool writing = false;                  ///< asks before an existing file is replaced
-        bool folder = false;                   ///< a folder is chosen
+        std::string title;                    ///< "Open a model"
+        std::string button;                   ///< "Open"
+        std::vector<std::string> extensions;  ///< with the dot; empty: all
+        std::string name;                     ///< to begin with, of a file to write
+        bool writing = false;                 ///< asks before an existing file is replaced
+        bool folder = false;                  ///< a folder is chosen
         std::function<void(const std::filesystem::path&)> chosen;
     };
     /// Opens it, in the folder that was looked at last.

@@ -8,7 +8,8 @@ namespace patina::editor {
 /// A box over the dimmed window. While it lives, everything behind it is out of reach.
 class Modal {
   public:
-    /// @param top_share  where its top is, in shares of the window's height; negative: in the middle
+    /// @param top_share  where its top is, in shares of the window's height; negative: in the
+    /// middle
     Modal(Ui& ui, const char* name, float width, float height, float top_share = -1.0f);
     ~Modal();
     Modal(const Modal&) = delete;

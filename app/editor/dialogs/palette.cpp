@@ -57,9 +57,10 @@ std::optional<Action> Palette::draw(Ui& ui, const Shown& shown) {
     const Modal modal(ui, "Find an action", 520, 380, 0.16f);
     Rect rest = modal.content();
     const Rect field = rest.cut_top(ui.px(44)).inset(ui.px(8), ui.px(8));
-    if (search_field(ui, field,
-                     {.label = "Action", .hint = "Find an action", .focus = std::exchange(fresh_, false)},
-                     search_))
+    if (search_field(
+            ui, field,
+            {.label = "Action", .hint = "Find an action", .focus = std::exchange(fresh_, false)},
+            search_))
         chosen_ = 0;
     hairline(ui, rest, theme::kFieldHover);
     rest.cut_top(ui.px(1));

@@ -12,8 +12,7 @@ void draw_card(Ui& ui, const Rect& card, int index, const Shown& shown, render::
     const bool on = view.channel == row.view;
     const Tip tip{std::string(row.label), std::string(row.tooltip) + " Click to enlarge.", key};
     const Press pressed = press(
-        ui, card,
-        {.label = row.label, .kind = "channel", .value = on ? "on" : "off", .tip = &tip});
+        ui, card, {.label = row.label, .kind = "channel", .value = on ? "on" : "off", .tip = &tip});
     Rect rest = card;
     const Rect label = rest.cut_bottom(ui.px(14));
     rest.cut_bottom(ui.px(4));
@@ -49,8 +48,8 @@ Requests draw_channel_strip(Ui& ui, const Rect& rect, const Shown& shown, ViewSt
     Rect rest = rect;
     rest = {rest.x0 + ui.px(8), rest.y0 + ui.px(8), rest.x1 - ui.px(8), rest.y1 - ui.px(6)};
     const float gap = ui.px(rect.width() / ui.scale > 900 ? 6 : 4);
-    const float width = (rest.width() - gap * (render::kStripChannelCount - 1)) /
-                        render::kStripChannelCount;
+    const float width =
+        (rest.width() - gap * (render::kStripChannelCount - 1)) / render::kStripChannelCount;
     for (int i = 0; i < render::kStripChannelCount; ++i) {
         const float x = rest.x0 + static_cast<float>(i) * (width + gap);
         draw_card(ui, {std::round(x), rest.y0, std::round(x + width), rest.y1}, i, shown,

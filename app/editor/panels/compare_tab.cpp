@@ -59,8 +59,8 @@ std::vector<TableRow> cost_rows(const render::FrameStats& stats) {
     const render::SideCost right = stats.right.value_or(render::SideCost{});
     std::vector<TableRow> rows;
     for (const render::PassCost& pass : left.passes)
-        rows.push_back({std::string(pass.name) + ", ms", pass_ms(left, pass.name),
-                        pass_ms(right, pass.name)});
+        rows.push_back(
+            {std::string(pass.name) + ", ms", pass_ms(left, pass.name), pass_ms(right, pass.name)});
     rows.push_back({"Frame, ms", number_text(left.frame_ms), number_text(right.frame_ms), true});
     const auto mb = [](std::size_t bytes) {
         return number_text(static_cast<double>(bytes) / 1e6, {.decimals = 1});

@@ -55,20 +55,17 @@ void draw_heading(const Ui& ui, const Rect& row, Channel channel) {
     hairline(ui, {row.x0, row.y1 - ui.px(1), row.x1, row.y1}, theme::kTableLine);
 }
 
-void draw_step(Ui& ui, const Rect& row, const ExplainStep& step, Channel channel,
-               ViewState& view) {
+void draw_step(Ui& ui, const Rect& row, const ExplainStep& step, Channel channel, ViewState& view) {
     const bool lit = view.layer == step.layer;
     const Place place(ui, step.layer_name, step.layer.value);
-    const Press pressed = press(ui, row,
-                                {.label = step.layer_name,
-                                 .kind = "step",
-                                 .value = value_words(channel, step.result)});
+    const Press pressed = press(
+        ui, row,
+        {.label = step.layer_name, .kind = "step", .value = value_words(channel, step.result)});
     if (lit || pressed.hovered) fill(ui, row, lit ? theme::kSelected : theme::kRowHover);
     if (pressed.clicked) view.layer = step.layer;
     Columns columns = columns_of(ui, row, channel);
     columns.layer.x0 += ui.px(12) * static_cast<float>(step.depth);
-    text(ui, columns.layer, ui.fonts.value12, lit ? theme::kText : theme::kText2,
-         step.layer_name);
+    text(ui, columns.layer, ui.fonts.value12, lit ? theme::kText : theme::kText2, step.layer_name);
     text(ui, columns.value, ui.fonts.value12, theme::kText, value_words(channel, step.source),
          Align::Right);
     text(ui, columns.weight, ui.fonts.value12, theme::kText,
@@ -93,8 +90,9 @@ Requests draw_explain_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewStat
     }
     const TexelShown& texel = *shown.texel;
     if (!texel.channel) {
-        draw_hint(ui, rect, "This channel is not made by layers: show one that is, such as "
-                            "Roughness.");
+        draw_hint(ui, rect,
+                  "This channel is not made by layers: show one that is, such as "
+                  "Roughness.");
         return requests;
     }
     Rect rest = rect.inset(ui.px(12), ui.px(12));
@@ -112,9 +110,10 @@ Requests draw_explain_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewStat
     rest.cut_top(ui.px(8));
     draw_heading(ui, rest.cut_top(ui.px(24)), channel);
     const Rect foot = rest.cut_bottom(ui.px(34));
-    paragraph(ui, foot, ui.fonts.caption11, theme::kText3,
-              "Weight is opacity \u00d7 channel opacity \u00d7 mask. Click another texel to explain "
-              "it; Esc closes.");
+    paragraph(
+        ui, foot, ui.fonts.caption11, theme::kText3,
+        "Weight is opacity \u00d7 channel opacity \u00d7 mask. Click another texel to explain "
+        "it; Esc closes.");
     ScrollArea area(ui, "steps", rest);
     Rect row = area.content();
     row.y1 = row.y0 + ui.px(22);

@@ -50,8 +50,7 @@ Requests draw_steps(Ui& ui, const Rect& rect, const HistoryShown& history) {
 
 void draw_log(Ui& ui, const Rect& rect, std::span<const LogLine> log) {
     if (log.empty()) {
-        text(ui, rect.inset(ui.px(12), 0), ui.fonts.caption11, theme::kText3,
-             "Nothing to report");
+        text(ui, rect.inset(ui.px(12), 0), ui.fonts.caption11, theme::kText3, "Nothing to report");
         return;
     }
     ScrollArea area(ui, "log", rect);
@@ -59,8 +58,8 @@ void draw_log(Ui& ui, const Rect& rect, std::span<const LogLine> log) {
     float height = 0.0f;
     for (auto line_shown = log.rbegin(); line_shown != log.rend(); ++line_shown) {
         const ImU32 color = line_shown->is_warning ? theme::kWarning : theme::kText2;
-        const float used = paragraph(ui, row.moved(0, height), ui.fonts.caption11, color,
-                                     line_shown->text);
+        const float used =
+            paragraph(ui, row.moved(0, height), ui.fonts.caption11, color, line_shown->text);
         height += used + ui.px(4);
     }
     area.set_height(height);

@@ -73,8 +73,8 @@ Requests draw_head(Ui& ui, Rect& rest, const Subject& subject) {
     words.cut_top(ui.px(2));
     const Layer* parent = parent_of(subject.material.stack, layer.id);
     std::string kind = layer.is_group() ? "Group" : "Fill";
-    kind += parent != nullptr ? " \u00b7 in " + parent->name
-                              : " \u00b7 of " + subject.material.name;
+    kind +=
+        parent != nullptr ? " \u00b7 in " + parent->name : " \u00b7 of " + subject.material.name;
     text(ui, words, ui.fonts.caption11, theme::kText3, kind);
 
     Rect line_box = rest.cut_top(ui.px(26)).inset(ui.px(12), ui.px(1));
@@ -140,10 +140,10 @@ Requests draw_channel_value(Ui& ui, const Rect& rect, const EditedSource& edited
     inner.cut_right(ui.px(6));
     const Rect swatch = inner.cut_left(ui.px(18)).centered(ui.px(18), ui.px(18));
     fill(ui, swatch, rgb(0x0D0D0D), 3);
-    picture(ui, swatch,
-            subject.shown.thumbnails->channel_source(subject.material, subject.layer,
-                                                     *edited.channel),
-            3);
+    picture(
+        ui, swatch,
+        subject.shown.thumbnails->channel_source(subject.material, subject.layer, *edited.channel),
+        3);
     inner.cut_left(ui.px(6));
     text(ui, inner, ui.fonts.value12, theme::kText, name);
     if (pressed.clicked) {
@@ -157,13 +157,12 @@ void draw_channel_name(Ui& ui, const Rect& rect, Channel channel, bool on, bool 
                        ViewState& view) {
     const ChannelInfo& row = info(channel);
     const Tip tip{std::string(row.label), std::string(row.tooltip)};
-    const Press pressed =
-        press(ui, rect,
-              {.label = row.label,
-               .kind = "name",
-               .value = view.unfolded.channel == channel ? "open" : "",
-               .enabled = can_open,
-               .tip = &tip});
+    const Press pressed = press(ui, rect,
+                                {.label = row.label,
+                                 .kind = "name",
+                                 .value = view.unfolded.channel == channel ? "open" : "",
+                                 .enabled = can_open,
+                                 .tip = &tip});
     const ImU32 color = !on ? theme::kText3 : theme::kText;
     text(ui, rect, ui.fonts.body13, color, row.label);
     if (!pressed.clicked) return;
@@ -321,8 +320,7 @@ Requests draw_entry_row(Ui& ui, const Rect& row, const Subject& subject, const M
     const auto combine =
         parameter_combo(ui, combine_box, Parameter::MaskEntryCombine, entry.combine, false);
     if (combine)
-        requests.edit(
-            set_mask_entry_combine(subject.material, subject.layer, entry, *combine));
+        requests.edit(set_mask_entry_combine(subject.material, subject.layer, entry, *combine));
     const auto opacity =
         percent(ui, opacity_box, Parameter::MaskEntryOpacity, entry.opacity, subject.wide);
     if (opacity)
@@ -336,8 +334,7 @@ Requests draw_entry_row(Ui& ui, const Rect& row, const Subject& subject, const M
                                  .value = open ? "open" : "folded",
                                  .tip = &tip});
     if (pressed.hovered && !open) fill(ui, row.inset(ui.px(4), 0), theme::kOpenRow, 4);
-    if (pressed.clicked)
-        view.unfolded.mask_entry = open ? std::nullopt : std::optional(entry.id);
+    if (pressed.clicked) view.unfolded.mask_entry = open ? std::nullopt : std::optional(entry.id);
     if (pressed.right_clicked) ImGui::OpenPopup("entry menu");
     const Faded hidden(ui, !entry.visible);
     fill(ui, thumb, rgb(0x0D0D0D), 3);
@@ -416,10 +413,10 @@ Requests draw_mask_head(Ui& ui, Rect& rest, const Subject& subject, ViewState& v
                          .tooltip = info(Parameter::MaskEnabled).tooltip}))
             requests.edit(set_mask_enabled(subject.material, subject.layer, !mask.enabled));
     }
-    const std::string count =
-        mask.entries.empty() ? ""
-                             : fmt::format("{} {}", mask.entries.size(),
-                                           mask.entries.size() == 1 ? "entry" : "entries");
+    const std::string count = mask.entries.empty()
+                                  ? ""
+                                  : fmt::format("{} {}", mask.entries.size(),
+                                                mask.entries.size() == 1 ? "entry" : "entries");
     if (section(ui, head, {.title = "Mask", .count = count, .open = view.unfolded.mask}))
         view.unfolded.mask = !view.unfolded.mask;
     return requests;
@@ -505,11 +502,9 @@ std::optional<glm::vec2> pair_fields(Ui& ui, Rect line_box, Parameter parameter,
     const Rect last = line_box.cut_right(ui.px(56));
     const Rect middle = line_box.cut_right(ui.px(26));
     if (linked != nullptr &&
-        icon_button(ui, middle,
-                    {.icon = icon::kLink,
-                     .label = "Keep both scales together",
-                     .on = *linked,
-                     .size = 12}))
+        icon_button(
+            ui, middle,
+            {.icon = icon::kLink, .label = "Keep both scales together", .on = *linked, .size = 12}))
         *linked = !*linked;
     glm::vec2 changed = value;
     if (const auto x = number_field(ui, line_box, first, static_cast<double>(value.x))) {
@@ -536,8 +531,8 @@ Requests draw_uv_fields(Ui& ui, Rect column, const SourcePlace& place, const Sou
                                kSets, image->uv_set);
         if (set) requests.edit(set_image_uv_set(place, *set));
     }
-    if (const auto scale = pair_fields(ui, next_line(ui, column), Parameter::UvScale, transform.scale,
-                                       &view.unfolded.uv_scale_linked))
+    if (const auto scale = pair_fields(ui, next_line(ui, column), Parameter::UvScale,
+                                       transform.scale, &view.unfolded.uv_scale_linked))
         requests.edit(set_uv_scale(place, *scale));
     if (const auto offset =
             pair_fields(ui, next_line(ui, column), Parameter::UvOffset, transform.offset, nullptr))
@@ -567,11 +562,11 @@ Requests draw_uv(Ui& ui, Rect& rest, const Subject& subject, ViewState& view) {
                          .enabled = transform != UvTransform{}}))
             requests.edit(set_uv_transform(place, {}));
     }
-    const std::string summary = fmt::format(
-        "{} \u00d7 {}, {}", number_text(static_cast<double>(transform.scale.x)),
-        number_text(static_cast<double>(transform.scale.y)),
-        number_text(static_cast<double>(transform.rotation_degrees),
-                    {.decimals = 1, .unit = "\u00b0"}));
+    const std::string summary =
+        fmt::format("{} \u00d7 {}, {}", number_text(static_cast<double>(transform.scale.x)),
+                    number_text(static_cast<double>(transform.scale.y)),
+                    number_text(static_cast<double>(transform.rotation_degrees),
+                                {.decimals = 1, .unit = "\u00b0"}));
     if (section(ui, head,
                 {.title = "UV transform",
                  .count = info(*channel).label,
@@ -622,7 +617,9 @@ Requests draw_bake(Ui& ui, Rect& rest, const Subject& subject, ViewState& view) 
                  .open = view.unfolded.bake}))
         view.unfolded.bake = !view.unfolded.bake;
     if (!view.unfolded.bake) return requests;
-    const auto next_pair = [&] { return side_by_side<2>(ui, next_line(ui, rest).inset(ui.px(12), 0)); };
+    const auto next_pair = [&] {
+        return side_by_side<2>(ui, next_line(ui, rest).inset(ui.px(12), 0));
+    };
     const auto first = next_pair();
     if (const auto size = resolution_combo(ui, first[0], material.resolution))
         requests.edit(set_material_resolution(material, *size));
@@ -634,8 +631,8 @@ Requests draw_bake(Ui& ui, Rect& rest, const Subject& subject, ViewState& view) 
                                       static_cast<double>(material.ior)))
         requests.edit(set_material_ior(material, static_cast<float>(*ior)));
     NumberSpec emission = number_spec(Parameter::MaterialEmissiveStrength);
-    const auto strength = number_field(ui, second[1], emission,
-                                       static_cast<double>(material.emissive_strength));
+    const auto strength =
+        number_field(ui, second[1], emission, static_cast<double>(material.emissive_strength));
     if (strength)
         requests.edit(set_material_emissive_strength(material, static_cast<float>(*strength)));
     return requests;

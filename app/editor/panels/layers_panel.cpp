@@ -17,8 +17,8 @@
 namespace patina::editor {
 namespace {
 
-constexpr float kDragStart = 4.0f;          // logical pixels before a press becomes a drag
-constexpr double kGroupOpenSeconds = 0.6;   // over a folded group, dragging
+constexpr float kDragStart = 4.0f;         // logical pixels before a press becomes a drag
+constexpr double kGroupOpenSeconds = 0.6;  // over a folded group, dragging
 
 struct Row {
     LayerPtr layer;
@@ -81,11 +81,9 @@ Requests draw_eye(Ui& ui, const Rect& rect, const Material& material, const Row&
     Requests requests;
     const bool visible = row.layer->visible;
     const Tip tip{visible ? "Hide layer" : "Show layer", "Alt-click shows it alone", "H"};
-    const Press pressed = press(ui, rect,
-                                {.label = "Visible",
-                                 .kind = "eye",
-                                 .value = visible ? "on" : "off",
-                                 .tip = &tip});
+    const Press pressed =
+        press(ui, rect,
+              {.label = "Visible", .kind = "eye", .value = visible ? "on" : "off", .tip = &tip});
     const bool alone = view.solo == row.layer->id;
     ImU32 color = visible ? theme::kText3 : theme::kTrackFull;
     if (alone) color = theme::kAccentHigh;
@@ -113,11 +111,9 @@ Requests draw_thumbnails(Ui& ui, const RowParts& parts, const Material& material
     if (parts.mask.empty()) return requests;
     const Tip tip{"Mask", "Alt-click shows it on the model"};
     const bool viewed = view.viewed_mask == row.layer->id;
-    const Press pressed = press(ui, parts.mask,
-                                {.label = "Mask thumbnail",
-                                 .kind = "thumbnail",
-                                 .value = viewed ? "on" : "",
-                                 .tip = &tip});
+    const Press pressed = press(
+        ui, parts.mask,
+        {.label = "Mask thumbnail", .kind = "thumbnail", .value = viewed ? "on" : "", .tip = &tip});
     draw_square(ui, parts.mask, shown.thumbnails->mask(material, *row.layer), selected || viewed);
     if (!pressed.clicked) return requests;
     view.layer = row.layer->id;
@@ -141,8 +137,7 @@ Requests draw_name(Ui& ui, Rect rect, const Material& material, const Row& row, 
         if (ui.typing.id == 0) view.renaming_layer = {};
         return requests;
     }
-    if (layer.locked)
-        icon_glyph(ui, rect.cut_right(ui.px(16)), icon::kLock, theme::kText3, 12);
+    if (layer.locked) icon_glyph(ui, rect.cut_right(ui.px(16)), icon::kLock, theme::kText3, 12);
     const bool strong = view.layer == layer.id || layer.is_group();
     text(ui, rect, strong ? ui.fonts.medium13 : ui.fonts.body13,
          row.hidden ? theme::kText3 : theme::kText, layer.name);
@@ -166,8 +161,8 @@ Requests draw_details(Ui& ui, Rect rect, const Material& material, const Row& ro
         if (!track.empty()) fill(ui, track, theme::kTrackFull, 1.5f);
     }
     if (view.layer == layer.id && !layer.locked) {
-        const auto mode = blend_combo(
-            ui, rect, {.label = "Blend mode", .flat = true}, ChannelKind::Color, layer.mode);
+        const auto mode = blend_combo(ui, rect, {.label = "Blend mode", .flat = true},
+                                      ChannelKind::Color, layer.mode);
         if (mode) requests.edit(set_layer_mode(material, layer, *mode));
     } else {
         text(ui, rect, ui.fonts.caption11, color, info(layer.mode).label);
@@ -182,9 +177,9 @@ void draw_row_menu(Ui& ui, const Shown& shown, Requests& requests) {
          {Action::RenameLayer, Action::DuplicateLayer, Action::HideLayer, Action::LockLayer,
           Action::GroupLayer, Action::UngroupLayer, Action::AddNoiseMask, Action::AddImageMask,
           Action::ClearMask, Action::Copy, Action::Paste, Action::DeleteLayer})
-        if (applies(action, shown) && menu.item({.icon = info(action).icon,
-                                                 .label = info(action).label,
-                                                 .key = info(action).key}))
+        if (applies(action, shown) &&
+            menu.item(
+                {.icon = info(action).icon, .label = info(action).label, .key = info(action).key}))
             requests.ask(action);
 }
 
@@ -206,10 +201,10 @@ std::optional<DropTarget> drop_target(const Ui& ui, const std::vector<Row>& rows
     const auto index = static_cast<std::size_t>(at);
     if (index >= rows.size()) {
         // Below everything: under the lowest layer of the stack itself.
-        const auto lowest = std::find_if(rows.rbegin(), rows.rend(),
-                                         [](const Row& row) { return row.depth == 0; });
-        return DropTarget{below(lowest->layer->id),
-                          top + height * static_cast<float>(rows.size()), 0};
+        const auto lowest =
+            std::find_if(rows.rbegin(), rows.rend(), [](const Row& row) { return row.depth == 0; });
+        return DropTarget{below(lowest->layer->id), top + height * static_cast<float>(rows.size()),
+                          0};
     }
     const Row& row = rows[index];
     const float share = at - static_cast<float>(index);
@@ -328,8 +323,7 @@ Requests draw_row(Ui& ui, const Rect& rect, const Row& row, const Shown& shown, 
     if (layer.is_group()) {
         const bool open = std::get<GroupContent>(layer.content).open;
         const Press angle = press(
-            ui, parts.angle,
-            {.label = "Unfolded", .kind = "angle", .value = open ? "on" : "off"});
+            ui, parts.angle, {.label = "Unfolded", .kind = "angle", .value = open ? "on" : "off"});
         icon_glyph(ui, parts.angle, open ? icon::kAngleDown : icon::kAngleRight, theme::kText2, 14);
         if (angle.clicked) requests.edit(set_group_open(*shown.material, layer, !open));
     }
@@ -430,9 +424,9 @@ Requests draw_layers_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     if (!shown.material) return requests;
     if (rows.empty()) {
         const bool searching = view.layer_search && !view.layer_search->empty();
-        const std::string words =
-            searching ? fmt::format("Nothing matches '{}'", *view.layer_search)
-                      : std::string("No layers yet. Add one or drop a preset");
+        const std::string words = searching
+                                      ? fmt::format("Nothing matches '{}'", *view.layer_search)
+                                      : std::string("No layers yet. Add one or drop a preset");
         paragraph(ui, rest.inset(ui.px(12), ui.px(6)), ui.fonts.body13, theme::kText3, words);
         return requests;
     }

@@ -30,8 +30,7 @@ void draw_head(Ui& ui, Rect& rest, const Material& material, const Shown& shown)
     Rect head = rest.cut_top(ui.px(56)).inset(ui.px(12), 0);
     const Rect ball = head.cut_left(ui.px(40)).centered(ui.px(40), ui.px(40));
     const Picture thumbnail = shown.thumbnails->material(material);
-    if (thumbnail.texture == nullptr)
-        disc(ui, ball.center_x(), ball.center_y(), 19, theme::kField);
+    if (thumbnail.texture == nullptr) disc(ui, ball.center_x(), ball.center_y(), 19, theme::kField);
     picture(ui, ball, thumbnail);
     head.cut_left(ui.px(10));
     Rect words = head.centered(head.width(), ui.px(34));
@@ -70,8 +69,8 @@ Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& v
     if (const auto v =
             number(light[1], Parameter::MaterialEmissiveStrength, material.emissive_strength))
         requests.edit(set_material_emissive_strength(material, static_cast<float>(*v)));
-    if (const auto v = number(padded_line(ui, rest), Parameter::MaterialHeightScale,
-                              material.height_scale))
+    if (const auto v =
+            number(padded_line(ui, rest), Parameter::MaterialHeightScale, material.height_scale))
         requests.edit(set_material_height_scale(material, static_cast<float>(*v)));
     const auto flags = side_by_side<2>(ui, padded_line(ui, rest));
     const auto toggle = [&](const Rect& rect, Parameter parameter, bool on) {
@@ -103,8 +102,7 @@ Requests draw_environment(Ui& ui, Rect& rest, const Document& document, ViewStat
 
 Requests draw_light(Ui& ui, Rect& rest, const Light& light, int index) {
     Requests requests;
-    const std::string name =
-        light.name.empty() ? fmt::format("Light {}", index + 1) : light.name;
+    const std::string name = light.name.empty() ? fmt::format("Light {}", index + 1) : light.name;
     const Place place(ui, name, static_cast<std::uint64_t>(index) + 1);
     Rect line_box = padded_line(ui, rest);
     if (icon_button(ui, line_box.cut_right(ui.px(26)),
@@ -144,8 +142,7 @@ Requests draw_lights(Ui& ui, Rect& rest, const Document& document, ViewState& vi
         light.direction_world = glm::normalize(glm::vec3(-0.5f, -1.0f, -0.6f));
         requests.edit(add_light(light));
     }
-    const std::string count =
-        document.lights.empty() ? "" : std::to_string(document.lights.size());
+    const std::string count = document.lights.empty() ? "" : std::to_string(document.lights.size());
     if (section(ui, head, {.title = "Lights", .count = count, .open = view.unfolded.lights}))
         view.unfolded.lights = !view.unfolded.lights;
     if (!view.unfolded.lights) return requests;
@@ -177,13 +174,13 @@ void draw_terms(Ui& ui, Rect& rest, ViewState& view) {
                                     {.label = "Geometry", .shown_label = "Geometry"},
                                     render::kGeometryTerms, terms.geometry))
         terms.geometry = *g;
-    if (const auto f = choice_combo(ui, padded_line(ui, rest),
-                                    {.label = "Fresnel", .shown_label = "Fresnel"},
-                                    render::kFresnelTerms, terms.fresnel))
+    if (const auto f =
+            choice_combo(ui, padded_line(ui, rest), {.label = "Fresnel", .shown_label = "Fresnel"},
+                         render::kFresnelTerms, terms.fresnel))
         terms.fresnel = *f;
-    if (const auto d = choice_combo(ui, padded_line(ui, rest),
-                                    {.label = "Diffuse", .shown_label = "Diffuse"},
-                                    render::kDiffuseTerms, terms.diffuse))
+    if (const auto d =
+            choice_combo(ui, padded_line(ui, rest), {.label = "Diffuse", .shown_label = "Diffuse"},
+                         render::kDiffuseTerms, terms.diffuse))
         terms.diffuse = *d;
     if (labelled_checkbox(ui, padded_line(ui, rest), "Multiple scattering",
                           terms.multiple_scattering,

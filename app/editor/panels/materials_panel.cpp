@@ -52,8 +52,7 @@ Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, const S
     const Place place(ui, material->name, material->id.value);
     const bool selected = view.material == material->id;
     const Press pressed = press(
-        ui, rect,
-        {.label = material->name, .kind = "row", .value = selected ? "selected" : ""});
+        ui, rect, {.label = material->name, .kind = "row", .value = selected ? "selected" : ""});
     row_tint(ui, rect, selected, pressed.hovered);
     if (pressed.clicked && !selected) {
         view.material = material->id;
@@ -63,8 +62,7 @@ Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, const S
     Rect rest = rect.inset(ui.px(10), 0);
     const Rect ball = rest.cut_left(ui.px(30)).centered(ui.px(30), ui.px(30));
     const Picture thumbnail = shown.thumbnails->material(*material);
-    if (thumbnail.texture == nullptr)
-        disc(ui, ball.center_x(), ball.center_y(), 14, theme::kField);
+    if (thumbnail.texture == nullptr) disc(ui, ball.center_x(), ball.center_y(), 14, theme::kField);
     picture(ui, ball, thumbnail);
     rest.cut_left(ui.px(10));
     const ImU32 quiet = selected || pressed.hovered ? theme::kText2 : theme::kText3;
@@ -114,8 +112,8 @@ Requests draw_materials_panel(Ui& ui, const Rect& rect, const Shown& shown, View
         ImGui::OpenPopup("materials menu");
     place_popup(more, 0);
     requests.append(draw_menu(ui, shown));
-    if (count > 0) search_toggle(ui, title.cut_right(ui.px(26)), "Search materials",
-                                 view.material_search);
+    if (count > 0)
+        search_toggle(ui, title.cut_right(ui.px(26)), "Search materials", view.material_search);
     if (!shown.document) {
         text(ui, rest.inset(ui.px(12), ui.px(4)), ui.fonts.caption11, theme::kText3,
              "No model is open");

@@ -13,8 +13,8 @@ Requests draw_properties(Ui& ui, const Rect& rect, const Shown& shown, ViewState
     rest.cut_top(ui.px(1));
     tabs.cut_left(ui.px(theme::kPadding));
     // Next to the tabs of the selection: what the view needs, comparing or explaining.
-    const bool comparing = view.view.compare != render::CompareMode::Single &&
-                           view.tool != ViewportTool::Probe;
+    const bool comparing =
+        view.view.compare != render::CompareMode::Single && view.tool != ViewportTool::Probe;
     if (tab(ui, tabs, {"Layer", view.right_tab == RightTab::Layer}))
         view.right_tab = RightTab::Layer;
     if (tab(ui, tabs, {"Material", view.right_tab == RightTab::Material}))

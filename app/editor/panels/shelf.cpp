@@ -127,7 +127,8 @@ Requests draw_presets(Ui& ui, const Rect& rect, const Shown& shown, ViewState& v
         CardGrid grid(ui, rect);
         for (const Preset* preset : shown.presets) {
             if (!shown_here(*preset, view)) continue;
-            const std::string tooltip = preset->description + "\nClick adds it, right click for more";
+            const std::string tooltip =
+                preset->description + "\nClick adds it, right click for more";
             const Press pressed = grid.add({.label = preset->name,
                                             .tooltip = tooltip,
                                             .picture = shown.thumbnails->preset(*preset),
@@ -172,14 +173,13 @@ Requests draw_environments(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     for (const EnvironmentShown& environment : shown.environments) {
         if (!name_matches(environment.label, view.shelf_search)) continue;
         const bool on = shown.document && shown.document->environment.name == environment.name;
-        const Press pressed =
-            grid.add({.label = environment.label,
-                      .tooltip = "Click lights the model with it",
-                      .picture = shown.thumbnails->environment(environment.name),
-                      .round = false,
-                      .wide = true,
-                      .on = on,
-                      .enabled = shown.document != nullptr});
+        const Press pressed = grid.add({.label = environment.label,
+                                        .tooltip = "Click lights the model with it",
+                                        .picture = shown.thumbnails->environment(environment.name),
+                                        .round = false,
+                                        .wide = true,
+                                        .on = on,
+                                        .enabled = shown.document != nullptr});
         if (pressed.clicked && !on) requests.edit(set_environment_name(environment.name));
     }
     return requests;
@@ -196,8 +196,7 @@ Categories categories_of(std::span<const Preset* const> presets) {
     return result;
 }
 
-void draw_category_column(Ui& ui, const Rect& rect, const Categories& categories,
-                          ViewState& view) {
+void draw_category_column(Ui& ui, const Rect& rect, const Categories& categories, ViewState& view) {
     fill(ui, {rect.x1 - ui.px(1), rect.y0, rect.x1, rect.y1}, theme::kHairline);
     ScrollArea area(ui, "categories", {rect.x0, rect.y0, rect.x1 - ui.px(1), rect.y1});
     Rect row = area.content();
@@ -206,14 +205,14 @@ void draw_category_column(Ui& ui, const Rect& rect, const Categories& categories
     for (const auto& [name, count] : categories) {
         const bool on = view.shelf_category == name;
         const std::string_view label = name.empty() ? std::string_view("All") : name;
-        const Press pressed = press(
-            ui, row, {.label = label, .kind = "category", .value = on ? "on" : "off"});
+        const Press pressed =
+            press(ui, row, {.label = label, .kind = "category", .value = on ? "on" : "off"});
         row_tint(ui, row, on, pressed.hovered);
         Rect inner = row;
         inner.cut_left(ui.px(12));
         inner.cut_right(ui.px(10));
-        text(ui, inner, ui.fonts.value12, on ? theme::kText : theme::kText3,
-             std::to_string(count), Align::Right);
+        text(ui, inner, ui.fonts.value12, on ? theme::kText : theme::kText3, std::to_string(count),
+             Align::Right);
         text(ui, inner, ui.fonts.value12, on ? theme::kText : theme::kText2, label);
         if (pressed.clicked) view.shelf_category = name;
         row = row.moved(0, row.height());
@@ -221,8 +220,7 @@ void draw_category_column(Ui& ui, const Rect& rect, const Categories& categories
     area.set_height(ui.px(12) + static_cast<float>(categories.size()) * row.height());
 }
 
-void draw_category_combo(Ui& ui, const Rect& rect, const Categories& categories,
-                         ViewState& view) {
+void draw_category_combo(Ui& ui, const Rect& rect, const Categories& categories, ViewState& view) {
     std::vector<std::string> labels;
     int chosen = 0;
     for (std::size_t i = 0; i < categories.size(); ++i) {

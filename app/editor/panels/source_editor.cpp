@@ -35,7 +35,8 @@ ProceduralSource new_procedural(std::optional<Channel> channel) {
 
 Requests change_kind(const EditedSource& edited, int kind, const Shown& shown) {
     Requests requests;
-    if (kind == 0) requests.edit(set_source(edited.place, ConstantSource{neutral_value(edited.channel)}));
+    if (kind == 0)
+        requests.edit(set_source(edited.place, ConstantSource{neutral_value(edited.channel)}));
     if (kind == 2) requests.edit(set_source(edited.place, new_procedural(edited.channel)));
     if (kind != 1) return requests;
     if (shown.document->images.empty()) {
@@ -70,9 +71,9 @@ Requests draw_image_choice(Ui& ui, Rect line_box, const EditedSource& edited,
         images.push_back(image);
     }
     Picture thumbnail;
-    if (chosen >= 0)
-        thumbnail = shown.thumbnails->image(*images[static_cast<std::size_t>(chosen)]);
-    const auto picked = combo(ui, line_box, {.label = "Image", .picture = &thumbnail}, items, chosen);
+    if (chosen >= 0) thumbnail = shown.thumbnails->image(*images[static_cast<std::size_t>(chosen)]);
+    const auto picked =
+        combo(ui, line_box, {.label = "Image", .picture = &thumbnail}, items, chosen);
     if (picked) requests.edit(set_image(edited.place, images[static_cast<std::size_t>(*picked)]));
     return requests;
 }
@@ -145,7 +146,8 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
         return number_field(ui, rect, spec, value);
     };
     const auto first = side_by_side<3>(ui, next_line(ui, rest));
-    if (const auto v = number(first[0], Parameter::ProceduralScale, static_cast<double>(source.scale)))
+    if (const auto v =
+            number(first[0], Parameter::ProceduralScale, static_cast<double>(source.scale)))
         requests.edit(set_procedural_scale(place, static_cast<float>(*v)));
     if (const auto v =
             number(first[1], Parameter::ProceduralContrast, static_cast<double>(source.contrast)))
@@ -161,7 +163,8 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
     return requests;
 }
 
-Requests draw_direction(Ui& ui, const Rect& rect, const SourcePlace& place, const glm::vec3& value) {
+Requests draw_direction(Ui& ui, const Rect& rect, const SourcePlace& place,
+                        const glm::vec3& value) {
     constexpr std::array<std::string_view, 3> kNames = {"X", "Y", "Z"};
     Requests requests;
     const auto fields = side_by_side<3>(ui, rect);

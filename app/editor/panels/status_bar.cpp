@@ -42,14 +42,13 @@ Requests draw_job(Ui& ui, Rect& rest, const JobShown& job) {
     if (job.can_cancel) {
         const Rect cross = rest.cut_right(ui.px(16)).centered(ui.px(16), ui.px(20));
         const Tip tip{"Cancel"};
-        const Press pressed =
-            press(ui, cross, {.label = "Cancel", .kind = "button", .tip = &tip});
+        const Press pressed = press(ui, cross, {.label = "Cancel", .kind = "button", .tip = &tip});
         icon_glyph(ui, cross, icon::kClose, pressed.hovered ? theme::kText : theme::kText2, 12);
         if (pressed.clicked) requests.ask(CancelJob{job.id});
         rest.cut_right(ui.px(8));
     }
-    const std::string percent = number_text(
-        std::floor(static_cast<double>(job.fraction) * 100.0), {.decimals = 0, .unit = "%"});
+    const std::string percent = number_text(std::floor(static_cast<double>(job.fraction) * 100.0),
+                                            {.decimals = 0, .unit = "%"});
     text(ui, rest.cut_right(ui.px(34)), font, theme::kText2, percent, Align::Right);
     rest.cut_right(ui.px(8));
     Rect track = rest.cut_right(ui.px(120)).centered(ui.px(120), ui.px(4));

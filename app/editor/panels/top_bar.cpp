@@ -60,8 +60,7 @@ Requests draw_menus(Ui& ui, Rect& rest, const Shown& shown) {
         ImGui::PushID(static_cast<int>(i));
         const bool open = ImGui::IsPopupOpen("menu");
         const Press pressed = press(ui, title, {.label = name, .kind = "menu"});
-        if (open || pressed.hovered)
-            fill(ui, title, open ? theme::kFieldHover : theme::kField, 4);
+        if (open || pressed.hovered) fill(ui, title, open ? theme::kFieldHover : theme::kField, 4);
         text(ui, title, ui.fonts.body13, theme::kText, name, Align::Center);
         const bool other_open =
             ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -106,11 +105,9 @@ bool draw_find_field(Ui& ui, const Rect& rect) {
 bool action_button(Ui& ui, const Rect& rect, Action action, std::string_view label,
                    const Shown& shown) {
     const ActionInfo& row = info(action);
-    return icon_button(ui, rect,
-                       {.icon = row.icon,
-                        .label = label,
-                        .key = row.key,
-                        .enabled = applies(action, shown)});
+    return icon_button(
+        ui, rect,
+        {.icon = row.icon, .label = label, .key = row.key, .enabled = applies(action, shown)});
 }
 
 }  // namespace

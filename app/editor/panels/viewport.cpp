@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "document/edits.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
 #include "editor/widgets/heat.h"
 #include "editor/widgets/number_text.h"
-#include "document/edits.h"
 
 namespace patina::editor {
 namespace {
@@ -37,7 +37,8 @@ struct Chip {
     std::string second;
 };
 
-/// A dark plate with two lines at the top; `x` is its left edge, or its right one with Align::Right.
+/// A dark plate with two lines at the top; `x` is its left edge, or its right one with
+/// Align::Right.
 void draw_chip(Ui& ui, float x, float y, const Chip& chip, Align align) {
     const float title = text_width(ui.fonts.title13, chip.title);
     const float extra = chip.note.empty() ? 0 : text_width(ui.fonts.body13, chip.note) + ui.px(5);
@@ -189,9 +190,7 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
                 .enabled = open,
                 .on = uv}))
         view.view.channel = uv ? render::ChannelView::Final : render::ChannelView::Uv0;
-    if (button({.icon = icon::kCamera,
-                .label = "Save the view as PNG",
-                .enabled = open}))
+    if (button({.icon = icon::kCamera, .label = "Save the view as PNG", .enabled = open}))
         requests.ask(Action::SaveView);
     return requests;
 }
@@ -254,9 +253,8 @@ void draw_scale(Ui& ui, const Rect& rect, const Scale& scale) {
         heat_bar(ui, bar);
     } else {
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilledMultiColor(ImVec2(bar.x0, bar.y0), ImVec2(bar.x1, bar.y1),
-                                     IM_COL32_BLACK, IM_COL32_WHITE, IM_COL32_WHITE,
-                                     IM_COL32_BLACK);
+        list.AddRectFilledMultiColor(ImVec2(bar.x0, bar.y0), ImVec2(bar.x1, bar.y1), IM_COL32_BLACK,
+                                     IM_COL32_WHITE, IM_COL32_WHITE, IM_COL32_BLACK);
     }
     inner.cut_top(ui.px(3));
     const Rect ticks = inner.cut_top(ui.px(14));
@@ -293,8 +291,8 @@ void draw_probe(Ui& ui, const Rect& rect, const render::Probe& probe, const Show
     Rect inner = box.inset(ui.px(12), ui.px(10));
     const MaterialPtr material = material_of(*shown.document, probe.source_material);
     Rect title = inner.cut_top(ui.px(20));
-    title.x0 = text(ui, title, ui.fonts.title13, theme::kText, material ? material->name : "") +
-               ui.px(8);
+    title.x0 =
+        text(ui, title, ui.fonts.title13, theme::kText, material ? material->name : "") + ui.px(8);
     text(ui, title, ui.fonts.value12, theme::kText3,
          fmt::format("UV {:.3f}, {:.3f}", probe.uv.x, probe.uv.y));
     inner.cut_top(ui.px(2));
@@ -342,9 +340,9 @@ Requests draw_toast(Ui& ui, const Rect& box, const ToastShown& toast) {
     rest.cut_left(ui.px(12));
     rest.cut_right(ui.px(8));
     icon_glyph(ui, rest.cut_left(ui.px(18)),
-               error                               ? icon::kWarning
+               error                           ? icon::kWarning
                : toast.kind == ToastKind::Note ? icon::kInfo
-                                                   : icon::kCheck,
+                                               : icon::kCheck,
                error ? theme::kError : theme::kAccentHigh, 14);
     rest.cut_left(ui.px(8));
     if (icon_button(ui, rest.cut_right(ui.px(26)),
@@ -371,8 +369,8 @@ Requests draw_toasts(Ui& ui, const Rect& rect, std::span<const ToastShown> toast
     Requests requests;
     float bottom = rect.y1 - ui.px(12);
     for (auto toast = toasts.rbegin(); toast != toasts.rend(); ++toast) {
-        const float link = toast->link.empty() ? 0 : text_width(ui.fonts.medium13, toast->link) +
-                                                         ui.px(16);
+        const float link =
+            toast->link.empty() ? 0 : text_width(ui.fonts.medium13, toast->link) + ui.px(16);
         const float words = text_width(ui.fonts.body13, toast->message);
         const float most = std::min(rect.width() - ui.px(24), ui.px(560));
         const float chrome = link + ui.px(12 + 18 + 8 + 8 + 26 + 8);
@@ -393,7 +391,8 @@ Requests draw_empty(Ui& ui, const Rect& rect) {
     text(ui, column.cut_top(ui.px(20)), ui.fonts.body13, theme::kText2,
          "Open a model or drop a .glb here", Align::Center);
     column.cut_top(ui.px(14));
-    const TextButton open{.label = "Open", .icon = icon::kFolderOpen, .key = "Ctrl O", .main = true};
+    const TextButton open{
+        .label = "Open", .icon = icon::kFolderOpen, .key = "Ctrl O", .main = true};
     const TextButton sample{.label = "Try the sample"};
     const float open_width = text_button_width(ui, open);
     const float sample_width = text_button_width(ui, sample);
@@ -458,8 +457,8 @@ Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& 
     picture(ui, rect, shown.viewport);
     Requests requests;
     const render::View& view = state.view;
-    const bool split = view.compare == render::CompareMode::Split &&
-                       view.channel == render::ChannelView::Final;
+    const bool split =
+        view.compare == render::CompareMode::Split && view.channel == render::ChannelView::Final;
     // What lies on top takes the pointer first.
     requests.append(draw_toasts(ui, rect, shown.toasts));
     requests.append(draw_tools(ui, rect, shown, state));

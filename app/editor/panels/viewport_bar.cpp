@@ -17,9 +17,10 @@ void mode_segments(Ui& ui, Rect& rest, bool wide, render::View& view) {
     float total = ui.px(4);
     std::array<float, 4> widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) {
-        widths[i] = wide ? std::ceil(text_width(ui.fonts.medium12, render::kCompareModes[i].label)) +
-                               ui.px(38)
-                         : ui.px(32);
+        widths[i] = wide
+                        ? std::ceil(text_width(ui.fonts.medium12, render::kCompareModes[i].label)) +
+                              ui.px(38)
+                        : ui.px(32);
         total += widths[i];
     }
     Rect box = rest.cut_left(total).centered(total, ui.px(theme::kFieldHeight));
@@ -30,11 +31,9 @@ void mode_segments(Ui& ui, Rect& rest, bool wide, render::View& view) {
         const Rect part = box.cut_left(widths[i]);
         const bool on = view.compare == choice.value;
         const Tip tip{std::string(choice.label), std::string(choice.tooltip), "V"};
-        const Press pressed = press(ui, part,
-                                    {.label = choice.label,
-                                     .kind = "segment",
-                                     .value = on ? "on" : "off",
-                                     .tip = &tip});
+        const Press pressed = press(
+            ui, part,
+            {.label = choice.label, .kind = "segment", .value = on ? "on" : "off", .tip = &tip});
         if (on) fill(ui, part, theme::kFieldPressed, 3);
         const ImU32 color = on || pressed.hovered ? theme::kText : theme::kText2;
         Rect inner = wide ? part.inset(ui.px(8), 0) : part;
@@ -57,10 +56,9 @@ Rect field_at_right(const Ui& ui, Rect& rest, float width) {
 
 void shading_combos(Ui& ui, Rect& rest, bool wide, render::View& view) {
     const bool both = view.compare != render::CompareMode::Single;
-    const auto left =
-        choice_combo(ui, field_at_left(ui, rest, wide ? 96 : 78),
-                     {.label = both ? "Left shading" : "Shading", .key = "P, O"},
-                     render::kShadingModels, view.left.model);
+    const auto left = choice_combo(ui, field_at_left(ui, rest, wide ? 96 : 78),
+                                   {.label = both ? "Left shading" : "Shading", .key = "P, O"},
+                                   render::kShadingModels, view.left.model);
     if (left) view.left.model = *left;
     if (!both) return;
     rest.cut_left(ui.px(2));
@@ -68,9 +66,9 @@ void shading_combos(Ui& ui, Rect& rest, bool wide, render::View& view) {
                     {.icon = icon::kSwap, .label = "Swap sides", .key = "X", .size = 12}))
         std::swap(view.left, view.right);
     rest.cut_left(ui.px(2));
-    const auto right = choice_combo(ui, field_at_left(ui, rest, wide ? 96 : 78),
-                                    {.label = "Right shading"}, render::kShadingModels,
-                                    view.right.model);
+    const auto right =
+        choice_combo(ui, field_at_left(ui, rest, wide ? 96 : 78), {.label = "Right shading"},
+                     render::kShadingModels, view.right.model);
     if (right) view.right.model = *right;
 }
 
@@ -78,11 +76,11 @@ void channel_combo(Ui& ui, Rect& rest, bool wide, render::View& view) {
     std::array<ComboItem, render::kChannelViewCount> items;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const render::ChannelViewInfo& row = render::kChannelViews[i];
-        const std::string_view group =
-            i == 0                                           ? std::string_view()
-            : row.origin == render::ChannelOrigin::GBuffer   ? "G-buffer"
-            : row.origin == render::ChannelOrigin::Inspection ? "Inspection"
-                                                              : "Lighting";
+        const std::string_view group = i == 0 ? std::string_view()
+                                       : row.origin == render::ChannelOrigin::GBuffer ? "G-buffer"
+                                       : row.origin == render::ChannelOrigin::Inspection
+                                           ? "Inspection"
+                                           : "Lighting";
         items[i] = {.label = row.label, .group = group, .tooltip = row.tooltip};
     }
     const float width = wide ? 164.0f : view.channel == render::ChannelView::Final ? 64.0f : 98.0f;
@@ -162,10 +160,9 @@ Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
         background_menu(ui, view);
         rest.cut_right(ui.px(4));
     }
-    const auto tone =
-        choice_combo(ui, field_at_right(ui, rest, wide ? 148 : 84),
-                     {.label = "Tone map", .shown_label = wide ? "Tone" : ""}, render::kToneMaps,
-                     view.tone_map);
+    const auto tone = choice_combo(ui, field_at_right(ui, rest, wide ? 148 : 84),
+                                   {.label = "Tone map", .shown_label = wide ? "Tone" : ""},
+                                   render::kToneMaps, view.tone_map);
     if (tone) view.tone_map = *tone;
     rest.cut_right(ui.px(6));
     const auto exposure = number_field(ui, field_at_right(ui, rest, wide ? 128 : 84),

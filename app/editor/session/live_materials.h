@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The materials of the snapshot that is shown, composited on a worker: the selected one first, at a
-/// preview size at once and at its full size when nothing newer is wanted.
+/// The materials of the snapshot that is shown, composited on a worker: the selected one first, at
+/// a preview size at once and at its full size when nothing newer is wanted.
 
 #include <condition_variable>
 #include <functional>
@@ -73,7 +73,8 @@ class LiveMaterials {
     bool busy_ = false;
     bool forget_ = false;  ///< another document: what was made is of no use
     bool stopping_ = false;
-    std::map<MaterialId, Made> made_;  ///< entries are made and dropped by the worker, under the lock
+    std::map<MaterialId, Made>
+        made_;  ///< entries are made and dropped by the worker, under the lock
     std::thread thread_;
 };
 

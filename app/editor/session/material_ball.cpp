@@ -14,15 +14,13 @@ ScenePtr ball_scene() {
     scene->meshes.push_back(shape_mesh(Shape::Sphere));
     scene->instances.push_back({.name = "Ball"});
     for (const Primitive& primitive : scene->meshes.front().primitives)
-        for (const glm::vec3& position : primitive.positions)
-            scene->bounds_world.include(position);
+        for (const glm::vec3& position : primitive.positions) scene->bounds_world.include(position);
     return scene;
 }
 
 render::View ball_view(const Bounds& bounds) {
     render::View view;
-    view.camera =
-        render::framed(bounds, 1.0f, render::ViewDirection::ThreeQuarter, 20.0f);
+    view.camera = render::framed(bounds, 1.0f, render::ViewDirection::ThreeQuarter, 20.0f);
     // The ball fills its picture: a frame around the box would leave a broad rim.
     view.camera.orthographic_height = 1.02f * (bounds.high.y - bounds.low.y);
     view.background.kind = render::Background::Kind::Transparent;

@@ -128,8 +128,8 @@ void Session::report_job_failure(const Error& error) {
 
 void Session::open(const fs::path& path) {
     jobs_.start("Opening " + path.filename().string(), [this, path](const Progress& progress) {
-        auto loaded = std::make_shared<Result<io::LoadedDocument>>(
-            io::load_document(path, {}, progress));
+        auto loaded =
+            std::make_shared<Result<io::LoadedDocument>>(io::load_document(path, {}, progress));
         return [this, path, loaded] {
             if (*loaded)
                 adopt(std::move(**loaded), path);
@@ -146,9 +146,9 @@ void Session::open_sample() {
             io::PlainMaterial{
                 .name = "Stand", .base_color_linear = glm::vec3(0.06f), .roughness = 0.55f},
         };
-        auto loaded = std::make_shared<Result<io::LoadedDocument>>(io::load_document_from_memory(
-            io::mesh_to_glb(shape_mesh(Shape::ShaderBall), materials), "shader_ball.glb", {},
-            progress));
+        auto loaded = std::make_shared<Result<io::LoadedDocument>>(
+            io::load_document_from_memory(io::mesh_to_glb(shape_mesh(Shape::ShaderBall), materials),
+                                          "shader_ball.glb", {}, progress));
         return [this, loaded] {
             if (*loaded)
                 adopt(std::move(**loaded), {});
@@ -168,10 +168,10 @@ void Session::adopt(io::LoadedDocument loaded, fs::path path) {
     frame_new_document_ = true;
     for (const std::string& warning : loaded.warnings) log_warning("{}", warning);
     if (!loaded.warnings.empty())
-        toast(ToastKind::Note, loaded.warnings.size() == 1
-                                   ? loaded.warnings.front()
-                                   : fmt::format("Opened with {} warnings: see the log",
-                                                 loaded.warnings.size()));
+        toast(ToastKind::Note,
+              loaded.warnings.size() == 1
+                  ? loaded.warnings.front()
+                  : fmt::format("Opened with {} warnings: see the log", loaded.warnings.size()));
 }
 
 void Session::save(const fs::path& path, std::function<void()> after) {
@@ -228,8 +228,7 @@ void Session::save_view(const fs::path& path, const ViewState& state) {
     toast(ToastKind::Done, "Saved " + path.filename().string());
 }
 
-void Session::with_image(const fs::path& path,
-                         std::function<void(const ImageAssetPtr&)> use) {
+void Session::with_image(const fs::path& path, std::function<void(const ImageAssetPtr&)> use) {
     if (!images_) return;
     jobs_.start("Reading " + path.filename().string(),
                 [this, path, images = images_, use = std::move(use)](const Progress&) {
@@ -252,9 +251,8 @@ void Session::apply_preset_file(const io::PresetFile& file, const ViewState& vie
     const LayerPtr layer = selected_layer(view);
     const LayerPlace place = layer ? above(layer->id) : top_of_stack();
     history_->seal();
-    const Edit edit = replace_stack
-                          ? replace_stack_by_preset(*material, file.preset, *images)
-                          : apply_preset(*material, file.preset, place, *images);
+    const Edit edit = replace_stack ? replace_stack_by_preset(*material, file.preset, *images)
+                                    : apply_preset(*material, file.preset, place, *images);
     if (!apply(edit)) return;
     history_->seal();
     toast(ToastKind::Done, fmt::format("{} applied to {}", file.preset.name, material->name),
@@ -349,8 +347,8 @@ void Session::explain(ViewState& view, glm::vec2 at) {
     texel.texel_y = texel_at(probe->uv.y);
     texel.channel = stack_channel(view.view.channel);
     if (texel.channel) {
-        auto steps = explain_texel(*material, *images_, *texel.channel, size, texel.texel_x,
-                                   texel.texel_y);
+        auto steps =
+            explain_texel(*material, *images_, *texel.channel, size, texel.texel_x, texel.texel_y);
         if (steps)
             texel.steps = std::move(*steps);
         else
@@ -376,30 +374,28 @@ void Session::show_materials(const ViewState& view) {
 void Session::filter_environment(const std::string& name) {
     environment_name_ = name;
     const int generation = ++environment_generation_;
-    jobs_.start("Filtering " + environment_label(name),
-                [this, name, generation](const Progress& progress) -> Jobs::Delivery {
-                    const Result<ImagePtr> map = environment_map(name);
-                    if (!map)
-                        return [this, error = map.error()] { report_job_failure(error); };
-                    auto light = std::make_shared<Result<render::FilteredEnvironment>>(
-                        render::filter_environment(**map, render::FilterQuality::First, progress));
-                    return [this, light, map = *map, generation] {
-                        if (generation != environment_generation_) return;
-                        if (!*light) return report_job_failure(light->error());
-                        picture_.set_environment(**light);
-                        jobs_.start("Filtering the environment", [this, map, generation](
-                                                                     const Progress& finer) {
-                            auto finished =
-                                std::make_shared<Result<render::FilteredEnvironment>>(
-                                    render::filter_environment(
-                                        *map, render::FilterQuality::Finished, finer));
-                            return [this, finished, generation] {
-                                if (generation == environment_generation_ && *finished)
-                                    picture_.set_environment(**finished);
-                            };
-                        });
+    jobs_.start(
+        "Filtering " + environment_label(name),
+        [this, name, generation](const Progress& progress) -> Jobs::Delivery {
+            const Result<ImagePtr> map = environment_map(name);
+            if (!map) return [this, error = map.error()] { report_job_failure(error); };
+            auto light = std::make_shared<Result<render::FilteredEnvironment>>(
+                render::filter_environment(**map, render::FilterQuality::First, progress));
+            return [this, light, map = *map, generation] {
+                if (generation != environment_generation_) return;
+                if (!*light) return report_job_failure(light->error());
+                picture_.set_environment(**light);
+                jobs_.start("Filtering the environment", [this, map,
+                                                          generation](const Progress& finer) {
+                    auto finished = std::make_shared<Result<render::FilteredEnvironment>>(
+                        render::filter_environment(*map, render::FilterQuality::Finished, finer));
+                    return [this, finished, generation] {
+                        if (generation == environment_generation_ && *finished)
+                            picture_.set_environment(**finished);
                     };
                 });
+            };
+        });
 }
 
 void Session::follow_environment() {
@@ -420,8 +416,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         for (LogLine& line : *log_inbox_) log_.push_back(std::move(line));
         log_inbox_->clear();
         if (log_.size() > kMostLogLines)
-            log_.erase(log_.begin(),
-                       log_.end() - static_cast<std::ptrdiff_t>(kMostLogLines));
+            log_.erase(log_.begin(), log_.end() - static_cast<std::ptrdiff_t>(kMostLogLines));
     }
     if (history_) {
         select_something(view);

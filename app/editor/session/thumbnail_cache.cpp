@@ -14,7 +14,7 @@
 namespace patina::editor {
 namespace {
 
-constexpr int kMapSide = 96;    // of squares: sharp up to 250 %
+constexpr int kMapSide = 96;  // of squares: sharp up to 250 %
 constexpr int kBallMapSide = 256;
 constexpr int kBallSide = 192;
 constexpr std::size_t kMostEntries = 600;
@@ -75,15 +75,15 @@ Image small_panorama(const Image& map) {
             const auto row = static_cast<std::size_t>(y * map.height / kHeight);
             const float* texel =
                 values + (row * static_cast<std::size_t>(map.width) + column) * channels;
-            const std::size_t at = (static_cast<std::size_t>(y) * kWidth +
-                                    static_cast<std::size_t>(x)) * 3;
+            const std::size_t at =
+                (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 3;
             for (std::size_t c = 0; c < 3; ++c) {
                 const float linear = texel[channels >= 3 ? c : 0];
                 const formulae::Real3 toned =
                     formulae::tone_map_reinhard(formulae::Real3(linear, linear, linear));
                 const float encoded = formulae::srgb_from_linear(toned.x);
-                result.data[at + c] = static_cast<std::byte>(
-                    std::lround(std::clamp(encoded, 0.0f, 1.0f) * 255.0f));
+                result.data[at + c] =
+                    static_cast<std::byte>(std::lround(std::clamp(encoded, 0.0f, 1.0f) * 255.0f));
             }
         }
     return result;
@@ -119,10 +119,14 @@ Result<Image> small_image(const Image& image) {
             for (std::size_t c = 0; c < channels; ++c) {
                 const std::size_t from =
                     (static_cast<std::size_t>(y * step) * static_cast<std::size_t>(image.width) +
-                     static_cast<std::size_t>(x * step)) * channels + c;
+                     static_cast<std::size_t>(x * step)) *
+                        channels +
+                    c;
                 const std::size_t to =
                     (static_cast<std::size_t>(y) * static_cast<std::size_t>(result.width) +
-                     static_cast<std::size_t>(x)) * channels + c;
+                     static_cast<std::size_t>(x)) *
+                        channels +
+                    c;
                 // The high byte of 16 bits (little-endian) is its 8-bit value.
                 result.data[to] = image.data[from * sample + sample - 1];
             }
@@ -303,10 +307,9 @@ bool ThumbnailCache::finish_some(bool hurried) {
 
 void ThumbnailCache::forget_unused() {
     while (entries_.size() > kMostEntries) {
-        const auto oldest =
-            std::min_element(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
-                return a.second.used < b.second.used;
-            });
+        const auto oldest = std::min_element(
+            entries_.begin(), entries_.end(),
+            [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
         if (oldest->second.image) texture_bytes_ -= oldest->second.image->bytes();
         entries_.erase(oldest);
     }

@@ -28,8 +28,7 @@ Source as_color(const Source& source, Channel channel) {
     const auto shown = [kind](const glm::vec3& value) {
         if (kind == ChannelKind::Color) return value;
         if (kind == ChannelKind::Scalar) return glm::vec3(value.x);
-        return kind == ChannelKind::Normal ? value * 0.5f + 0.5f
-                                           : glm::vec3(value.x * 0.5f + 0.5f);
+        return kind == ChannelKind::Normal ? value * 0.5f + 0.5f : glm::vec3(value.x * 0.5f + 0.5f);
     };
     Source result = source;
     if (auto* constant = std::get_if<ConstantSource>(&result))

@@ -43,8 +43,7 @@ void ViewportPicture::set_scene(const ScenePtr& scene) {
 
 void ViewportPicture::set_materials(const std::vector<LiveMaterials::Changed>& changed) {
     for (const LiveMaterials::Changed& each : changed) {
-        const Status set =
-            renderer_.set_material(each.source_material, each.surface, each.texels);
+        const Status set = renderer_.set_material(each.source_material, each.surface, each.texels);
         if (!set) report(set.error());
         scene_changed_ = true;
     }
@@ -71,9 +70,9 @@ bool ViewportPicture::draw(const render::View& view, render::PictureSize size,
             stats_ = std::move(*stats);
         else
             report(stats.error());
-        const double spent = std::chrono::duration<double, std::milli>(
-                                 std::chrono::steady_clock::now() - begun)
-                                 .count();
+        const double spent =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun)
+                .count();
         // Half a picture says what a whole one would take.
         frame_ms_ = half ? std::max(spent, frame_ms_ * 0.97) : spent;
         strip_stale_ = strip_stale_ || scene_changed_;

@@ -32,7 +32,9 @@ class ViewportPicture {
     int pictures_drawn() const { return pictures_drawn_; }
     const Bounds& bounds() const { return renderer_.bounds_world(); }
     std::uintptr_t texture() const { return drawn_ ? renderer_.picture_texture() : 0; }
-    std::uintptr_t strip_texture() const { return strip_drawn_once_ ? renderer_.strip_texture() : 0; }
+    std::uintptr_t strip_texture() const {
+        return strip_drawn_once_ ? renderer_.strip_texture() : 0;
+    }
 
     /// At a point in shares of the picture.
     std::optional<render::Probe> probe(glm::vec2 at);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// All that panels read, as of one frame: the snapshot, what is selected in it, and what the session
-/// knows beside it. Valid while the frame is drawn.
+/// All that panels read, as of one frame: the snapshot, what is selected in it, and what the
+/// session knows beside it. Valid while the frame is drawn.
 
 #include <optional>
 #include <span>
@@ -103,8 +103,8 @@ struct Shown {
     CostShown cost;
     Picture viewport;
     Picture strip;
-    std::optional<TexelShown> texel;        ///< under the crosshair
-    std::optional<render::Probe> hovered;   ///< under the pointer, with the probe in hand
+    std::optional<TexelShown> texel;       ///< under the crosshair
+    std::optional<render::Probe> hovered;  ///< under the pointer, with the probe in hand
     Thumbnails* thumbnails = nullptr;
 };
 

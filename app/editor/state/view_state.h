@@ -48,9 +48,9 @@ struct Unfolded {
 /// A layer under way in the layer list.
 struct LayerDrag {
     LayerId layer = {};
-    bool moving = false;       ///< the pointer has left the 4 px around where it went down
-    LayerId over_group = {};        ///< a folded group under the pointer, which opens after a while
-    double over_since = 0.0;   ///< when it came under the pointer, in seconds
+    bool moving = false;      ///< the pointer has left the 4 px around where it went down
+    LayerId over_group = {};  ///< a folded group under the pointer, which opens after a while
+    double over_since = 0.0;  ///< when it came under the pointer, in seconds
 };
 
 struct ViewState {

@@ -94,7 +94,8 @@ std::string plain_sum(std::string_view text) {
     }
     const auto belongs_to_sum = [](unsigned char letter) {
         return std::isdigit(letter) != 0 ||
-               std::string_view(".)(+-*/").find(static_cast<char>(letter)) != std::string_view::npos;
+               std::string_view(".)(+-*/").find(static_cast<char>(letter)) !=
+                   std::string_view::npos;
     };
     while (!plain.empty() && !belongs_to_sum(static_cast<unsigned char>(plain.back())))
         plain.pop_back();

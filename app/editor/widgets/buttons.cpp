@@ -124,8 +124,8 @@ std::optional<int> segmented(Ui& ui, const Rect& rect, std::span<const std::stri
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const bool on = static_cast<int>(i) == chosen;
         const Rect part = rest.cut_left(width);
-        const Press pressed = press(
-            ui, part, {.label = labels[i], .kind = "segment", .value = on ? "on" : "off"});
+        const Press pressed =
+            press(ui, part, {.label = labels[i], .kind = "segment", .value = on ? "on" : "off"});
         if (on) fill(ui, part, theme::kFieldPressed, 3);
         const ImU32 color = on || pressed.hovered ? theme::kText : theme::kText2;
         text(ui, part, on ? ui.fonts.medium12 : ui.fonts.value12, color, labels[i], Align::Center);
@@ -140,8 +140,8 @@ bool tab(Ui& ui, Rect& rest, const TabSpec& spec) {
     const float width = std::ceil(text_width(ui.fonts.title13, spec.label));
     const Rect box = rest.cut_left(width);
     rest.cut_left(ui.px(16));
-    const Press pressed = press(
-        ui, box, {.label = spec.label, .kind = "tab", .value = spec.chosen ? "on" : "off"});
+    const Press pressed =
+        press(ui, box, {.label = spec.label, .kind = "tab", .value = spec.chosen ? "on" : "off"});
     const ImU32 color = spec.chosen || pressed.hovered ? theme::kText : theme::kText2;
     text(ui, box, font, color, spec.label);
     if (spec.chosen) fill(ui, {box.x0, box.y1 - ui.px(2), box.x1, box.y1}, theme::kAccent);
@@ -149,10 +149,8 @@ bool tab(Ui& ui, Rect& rest, const TabSpec& spec) {
 }
 
 bool section(Ui& ui, const Rect& rect, const SectionSpec& spec) {
-    const Press pressed = press(ui, rect,
-                                {.label = spec.title,
-                                 .kind = "section",
-                                 .value = spec.open ? "open" : "folded"});
+    const Press pressed = press(
+        ui, rect, {.label = spec.title, .kind = "section", .value = spec.open ? "open" : "folded"});
     Rect rest = rect;
     rest.cut_left(ui.px(10));
     icon_glyph(ui, rest.cut_left(ui.px(14)), spec.open ? icon::kAngleDown : icon::kAngleRight,

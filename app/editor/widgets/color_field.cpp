@@ -69,8 +69,7 @@ float share(float at, float low, float high) {
 
 /// Saturation to the right, value upwards.
 std::optional<Hsv> saturation_value_square(Ui& ui, const Rect& rect, Hsv hsv) {
-    const Press pressed =
-        press(ui, rect, {.label = "Saturation and value", .kind = "plane"});
+    const Press pressed = press(ui, rect, {.label = "Saturation and value", .kind = "plane"});
     glm::vec3 pure;
     ImGui::ColorConvertHSVtoRGB(hsv.hue, 1.0f, 1.0f, pure.x, pure.y, pure.z);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -177,8 +176,8 @@ std::optional<glm::vec3> color_from_hex(std::string_view words) {
         int byte = 0;
         for (std::size_t d = 0; d < digits; ++d) {
             constexpr std::string_view kDigits = "0123456789abcdef";
-            const auto lower = static_cast<char>(std::tolower(
-                static_cast<unsigned char>(words[i * digits + d])));
+            const auto lower =
+                static_cast<char>(std::tolower(static_cast<unsigned char>(words[i * digits + d])));
             const std::size_t digit = kDigits.find(lower);
             if (digit == std::string_view::npos) return std::nullopt;
             byte = byte * 16 + static_cast<int>(digit);
@@ -196,8 +195,8 @@ std::optional<glm::vec3> color_popup(Ui& ui, const Rect& anchor, const glm::vec3
         return std::nullopt;
     const Place place(ui, "Colour");
     const ImVec2 corner = ImGui::GetWindowPos();
-    Rect rest = Rect{corner.x, corner.y, corner.x + ui.px(248), corner.y + ui.px(264)}.inset(
-        ui.px(12));
+    Rect rest =
+        Rect{corner.x, corner.y, corner.x + ui.px(248), corner.y + ui.px(264)}.inset(ui.px(12));
     const glm::vec3 srgb = encoded(color_linear);
     const Hsv hsv = remembered_hsv(srgb);
     std::optional<glm::vec3> result;

@@ -26,7 +26,7 @@ struct ComboSpec {
     std::string_view tooltip = {};
     std::string_view key = {};
     bool enabled = true;
-    bool flat = false;  ///< only words and an angle, as in a layer's row
+    bool flat = false;                 ///< only words and an angle, as in a layer's row
     const Picture* picture = nullptr;  ///< small, before the value
     float picture_width = 18.0f;
 };

@@ -85,8 +85,7 @@ ImFont* add_face(const FaceRequest& request, const std::string& icons, float sca
     config.OversampleV = 1;
     config.GlyphMinAdvanceX = std::ceil(kDigitOfEm * size / kHeightOfEm);
     config.GlyphMaxAdvanceX = config.GlyphMinAdvanceX;
-    ImFont* font =
-        atlas.AddFontFromFileTTF(request.file.c_str(), size, &config, kDigits.data());
+    ImFont* font = atlas.AddFontFromFileTTF(request.file.c_str(), size, &config, kDigits.data());
     config.MergeMode = true;
     config.GlyphMinAdvanceX = 0.0f;
     config.GlyphMaxAdvanceX = 3.4e38f;

@@ -21,8 +21,8 @@ struct Fonts {
     ImFont* medium11 = nullptr;
 };
 
-/// Replaces the fonts of the current ImGui context by those for `scale` (1 to 2.5). The back end has
-/// to upload the texture again afterwards.
+/// Replaces the fonts of the current ImGui context by those for `scale` (1 to 2.5). The back end
+/// has to upload the texture again afterwards.
 Result<Fonts> load_fonts(float scale);
 
 }  // namespace patina::editor

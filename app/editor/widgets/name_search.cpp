@@ -12,9 +12,8 @@ namespace {
 
 std::string lowered(std::string_view words) {
     std::string result(words);
-    std::transform(result.begin(), result.end(), result.begin(), [](unsigned char letter) {
-        return static_cast<char>(std::tolower(letter));
-    });
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     return result;
 }
 
@@ -34,8 +33,7 @@ bool name_matches(std::string_view name, std::string_view search) {
 
 void search_toggle(Ui& ui, const Rect& rect, std::string_view label,
                    std::optional<std::string>& search) {
-    if (!icon_button(ui, rect,
-                     {.icon = icon::kSearch, .label = label, .on = search.has_value()}))
+    if (!icon_button(ui, rect, {.icon = icon::kSearch, .label = label, .on = search.has_value()}))
         return;
     if (search)
         search.reset();

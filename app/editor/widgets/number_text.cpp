@@ -10,8 +10,8 @@ namespace patina::editor {
 std::string number_text(double value, const NumberFormat& format) {
     const std::string digits = fmt::format("{:.{}f}", std::fabs(value), format.decimals);
     const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
-    const std::string_view sign = is_zero              ? ""
-                                  : value < 0.0        ? "\u2212"
+    const std::string_view sign = is_zero                ? ""
+                                  : value < 0.0          ? "\u2212"
                                   : format.always_signed ? "+"
                                                          : "";
     const std::string_view space = format.unit.empty() || format.unit == "\u00b0" ? "" : " ";

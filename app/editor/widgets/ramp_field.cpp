@@ -42,9 +42,8 @@ void paint_bar(const Ui& ui, const Rect& bar, const RampSpec& spec,
         const ImU32 a = screen_color(look(spec, ramp_value(stops, left)));
         const ImU32 b = screen_color(look(spec, ramp_value(stops, right)));
         const float inner = bar.width() - 2 * ui.px(1);
-        list.AddRectFilledMultiColor(
-            ImVec2(bar.x0 + ui.px(1) + left * inner, bar.y0),
-            ImVec2(bar.x0 + ui.px(1) + right * inner, bar.y1), a, b, b, a);
+        list.AddRectFilledMultiColor(ImVec2(bar.x0 + ui.px(1) + left * inner, bar.y0),
+                                     ImVec2(bar.x0 + ui.px(1) + right * inner, bar.y1), a, b, b, a);
     }
 }
 
@@ -117,19 +116,16 @@ std::optional<std::vector<RampStop>> ramp_field(Ui& ui, const Rect& rect, const 
     const Rect zone = bar.cut_bottom(ui.px(10));
     const Place place(ui, spec.label);
     const Tip tip{"Ramp", "What the noise becomes, from 0 to 1. Click to add a stop, 8 at most"};
-    const Press pressed = press(ui, bar,
-                                {.label = spec.label,
-                                 .kind = "ramp",
-                                 .value = counted(stops.size(), "stop"),
-                                 .tip = &tip});
+    const Press pressed = press(
+        ui, bar,
+        {.label = spec.label, .kind = "ramp", .value = counted(stops.size(), "stop"), .tip = &tip});
     paint_bar(ui, bar, spec, stops);
     std::optional<std::vector<RampStop>> result;
     if (pressed.clicked && stops.size() < static_cast<std::size_t>(kMaxRampStops)) {
         const float at = std::clamp((ImGui::GetMousePos().x - bar.x0) / bar.width(), 0.0f, 1.0f);
         result = stops;
-        const auto after = std::find_if(result->begin(), result->end(), [at](const RampStop& stop) {
-            return stop.position > at;
-        });
+        const auto after = std::find_if(result->begin(), result->end(),
+                                        [at](const RampStop& stop) { return stop.position > at; });
         result->insert(after, RampStop{at, ramp_value(stops, at)});
         ui.edit_ended = true;
     }

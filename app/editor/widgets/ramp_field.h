@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The ramp of a procedural: a bar of what the noise becomes, with its stops below. Click the bar to
-/// add a stop, drag a stop to move it, click it to change its value, drag it off or right-click to
-/// remove it.
+/// The ramp of a procedural: a bar of what the noise becomes, with its stops below. Click the bar
+/// to add a stop, drag a stop to move it, click it to change its value, drag it off or right-click
+/// to remove it.
 
 #include <optional>
 #include <string_view>

@@ -15,9 +15,9 @@ namespace patina::editor {
 namespace {
 
 std::string shown(const NumberSpec& spec, double value) {
-    return number_text(value * spec.display_scale, {.decimals = spec.decimals,
-                                                    .unit = spec.unit,
-                                                    .always_signed = spec.always_signed});
+    return number_text(
+        value * spec.display_scale,
+        {.decimals = spec.decimals, .unit = spec.unit, .always_signed = spec.always_signed});
 }
 
 double allowed(const NumberSpec& spec, double value) {
@@ -70,7 +70,8 @@ std::optional<double> value_menu(Ui& ui, const NumberSpec& spec, double value, c
                 number_text(value * spec.display_scale, {.decimals = spec.decimals}).c_str());
         const char* clipboard = ImGui::GetClipboardText();
         const std::optional<double> pasted = value_of_sum(clipboard == nullptr ? "" : clipboard);
-        if (menu.item({.icon = icon::kPaste, .label = "Paste value", .enabled = pasted.has_value()}))
+        if (menu.item(
+                {.icon = icon::kPaste, .label = "Paste value", .enabled = pasted.has_value()}))
             chosen = allowed(spec, *pasted / spec.display_scale);
     }
     ImGui::PopID();
@@ -112,8 +113,8 @@ void paint(const Ui& ui, const Rect& rect, const NumberSpec& spec, double value,
 double slider_share(const NumberSpec& spec, double value) {
     if (spec.maximum <= spec.minimum) return 0.0;
     if (spec.curve == SliderCurve::Logarithmic && spec.minimum > 0.0)
-        return std::clamp(
-            std::log(value / spec.minimum) / std::log(spec.maximum / spec.minimum), 0.0, 1.0);
+        return std::clamp(std::log(value / spec.minimum) / std::log(spec.maximum / spec.minimum),
+                          0.0, 1.0);
     return std::clamp((value - spec.minimum) / (spec.maximum - spec.minimum), 0.0, 1.0);
 }
 
@@ -146,8 +147,7 @@ NumberSpec compact_number_spec(Parameter parameter) {
     return spec;
 }
 
-std::optional<double> number_field(Ui& ui, const Rect& rect, const NumberSpec& spec,
-                                   double value) {
+std::optional<double> number_field(Ui& ui, const Rect& rect, const NumberSpec& spec, double value) {
     const Faded faded(ui, !spec.enabled);
     const Tip tip{std::string(spec.label), std::string(spec.tooltip), std::string(spec.key)};
     const Press pressed = press(ui, rect,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The number field of Patina: label left, value right, the filled part behind them and a level line
-/// below. Drag over the full width for the range, Shift for a tenth of the speed; double-click or
-/// Ctrl-click types (sums allowed); Ctrl and the wheel take one step; a right click resets, copies
-/// and pastes.
+/// The number field of Patina: label left, value right, the filled part behind them and a level
+/// line below. Drag over the full width for the range, Shift for a tenth of the speed; double-click
+/// or Ctrl-click types (sums allowed); Ctrl and the wheel take one step; a right click resets,
+/// copies and pastes.
 
 #include <optional>
 #include <string>

@@ -46,9 +46,9 @@ std::optional<std::string> typed(Ui& ui, ImGuiID id, const Rect& rect, const ImF
     const BareInput input(ui, rect, font, ui.px(8));
     if (ui.typing.fresh) ImGui::SetKeyboardFocusHere();
     ImGui::PushID(static_cast<int>(id));
-    const bool entered = ImGui::InputText(
-        "##typed", &ui.typing.text,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered =
+        ImGui::InputText("##typed", &ui.typing.text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     const bool was_fresh = std::exchange(ui.typing.fresh, false);
     const bool ended = !was_fresh && ImGui::IsItemDeactivated();
     const bool escaped = ended && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
@@ -77,8 +77,7 @@ bool line_field(Ui& ui, const Rect& rect, std::string_view label, std::string& w
     const BareInput input(ui, rect, ui.fonts.body13, ui.px(8));
     const std::string id = "##" + std::string(label);
     if (focus) ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        ImGui::InputText(id.c_str(), &words, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputText(id.c_str(), &words, ImGuiInputTextFlags_EnterReturnsTrue);
     if (ImGui::IsItemActive()) outline(ui, rect, theme::kAccent, 4, 1);
     return entered;
 }

@@ -7,8 +7,7 @@ namespace patina::editor {
 namespace {
 
 void set_colors(ImGuiStyle& style, std::initializer_list<ImGuiCol> which, ImU32 color) {
-    for (const ImGuiCol index : which)
-        style.Colors[index] = ImGui::ColorConvertU32ToFloat4(color);
+    for (const ImGuiCol index : which) style.Colors[index] = ImGui::ColorConvertU32ToFloat4(color);
 }
 
 void set_all_colors(ImGuiStyle& style) {
@@ -16,20 +15,20 @@ void set_all_colors(ImGuiStyle& style) {
     set_colors(style, {ImGuiCol_Text}, theme::kText);
     set_colors(style, {ImGuiCol_TextDisabled}, theme::kText3);
     set_colors(style, {ImGuiCol_WindowBg}, theme::kPanel);
-    set_colors(style,
-               {ImGuiCol_ChildBg, ImGuiCol_BorderShadow, ImGuiCol_ScrollbarBg, ImGuiCol_ResizeGrip,
-                ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive, ImGuiCol_Tab,
-                ImGuiCol_TabHovered, ImGuiCol_TabActive, ImGuiCol_TableHeaderBg,
-                ImGuiCol_TableRowBg, ImGuiCol_TableRowBgAlt},
-               clear);
+    set_colors(
+        style,
+        {ImGuiCol_ChildBg, ImGuiCol_BorderShadow, ImGuiCol_ScrollbarBg, ImGuiCol_ResizeGrip,
+         ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive, ImGuiCol_Tab, ImGuiCol_TabHovered,
+         ImGuiCol_TabActive, ImGuiCol_TableHeaderBg, ImGuiCol_TableRowBg, ImGuiCol_TableRowBgAlt},
+        clear);
     set_colors(style, {ImGuiCol_PopupBg}, theme::kPopup);
     set_colors(style, {ImGuiCol_Border}, theme::kBorder);
     set_colors(style, {ImGuiCol_FrameBg}, theme::kField);
     set_colors(style, {ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}, theme::kFieldHover);
-    set_colors(style,
-               {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed,
-                ImGuiCol_MenuBarBg},
-               theme::kBar);
+    set_colors(
+        style,
+        {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed, ImGuiCol_MenuBarBg},
+        theme::kBar);
     set_colors(style, {ImGuiCol_ScrollbarGrab}, rgb(0x4A4A4A));
     set_colors(style, {ImGuiCol_ScrollbarGrabHovered}, rgb(0x5E5E5E));
     set_colors(style, {ImGuiCol_ScrollbarGrabActive}, rgb(0x757575));

@@ -13,8 +13,8 @@ constexpr ImU32 rgb(unsigned hex) {
 }
 /// The same colour at `alpha`, 0 to 255, of its own.
 constexpr ImU32 with_alpha(ImU32 color, unsigned alpha) {
-    return (color & ~IM_COL32_A_MASK) | ((((color >> IM_COL32_A_SHIFT) * alpha) / 255u)
-                                         << IM_COL32_A_SHIFT);
+    return (color & ~IM_COL32_A_MASK) |
+           ((((color >> IM_COL32_A_SHIFT) * alpha) / 255u) << IM_COL32_A_SHIFT);
 }
 
 namespace theme {

@@ -43,28 +43,30 @@ std::string shortened(const ImFont* font, std::string_view words, float width) {
 void draw_tip(const Ui& ui, const Rect& anchor, const Tip& tip) {
     const float pad_x = ui.px(10);
     const float pad_y = ui.px(8);
-    const float key_width = tip.key.empty() ? 0 : text_width(ui.fonts.caption11, tip.key) + ui.px(16);
+    const float key_width =
+        tip.key.empty() ? 0 : text_width(ui.fonts.caption11, tip.key) + ui.px(16);
     const float first = text_width(ui.fonts.medium13, tip.title) + key_width;
     const float wrap = ui.px(340);
     ImFont* small = ui.fonts.value12;
-    const ImVec2 body = tip.text.empty()
-                            ? ImVec2(0, 0)
-                            : small->CalcTextSizeA(small->FontSize, FLT_MAX, wrap, tip.text.data(),
-                                                   end_of(tip.text));
+    const ImVec2 body = tip.text.empty() ? ImVec2(0, 0)
+                                         : small->CalcTextSizeA(small->FontSize, FLT_MAX, wrap,
+                                                                tip.text.data(), end_of(tip.text));
     const float line_height = ui.px(18);
     const float width = std::max(first, body.x) + 2 * pad_x;
     const float height = line_height + (tip.text.empty() ? 0 : body.y + ui.px(2)) + 2 * pad_y;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float below = anchor.y1 + ui.px(8);
     const float y = below + height < screen.y ? below : anchor.y0 - ui.px(8) - height;
-    const float x = std::clamp(anchor.x0, ui.px(4), std::max(screen.x - width - ui.px(4), ui.px(4)));
+    const float x =
+        std::clamp(anchor.x0, ui.px(4), std::max(screen.x - width - ui.px(4), ui.px(4)));
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float radius = ui.px(6);
     list.AddRectFilled(ImVec2(x, y), ImVec2(x + width, y + height), theme::kPopup, radius);
     list.AddRect(ImVec2(x, y), ImVec2(x + width, y + height), theme::kBorder, radius);
     ImFont* bold = ui.fonts.medium13;
-    list.AddText(bold, bold->FontSize, ImVec2(x + pad_x, y + pad_y + 0.5f * (line_height - bold->FontSize)),
-                 theme::kText, begin_of(tip.title), end_of(tip.title));
+    list.AddText(bold, bold->FontSize,
+                 ImVec2(x + pad_x, y + pad_y + 0.5f * (line_height - bold->FontSize)), theme::kText,
+                 begin_of(tip.title), end_of(tip.title));
     if (!tip.key.empty()) {
         ImFont* font = ui.fonts.caption11;
         const float chip_x = x + width - pad_x - key_width + ui.px(8);
@@ -279,8 +281,9 @@ void note(Ui& ui, const Rect& rect, const Control& control) {
     const ImVec2 mouse = ImGui::GetMousePos();
     if (control.tip != nullptr && seen_part.contains(mouse.x, mouse.y) &&
         ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
-        ui.offer_tip(ImGui::GetCurrentWindow()->GetID(begin_of(control.label), end_of(control.label)),
-                     rect, *control.tip);
+        ui.offer_tip(
+            ImGui::GetCurrentWindow()->GetID(begin_of(control.label), end_of(control.label)), rect,
+            *control.tip);
 }
 
 ScrollArea::ScrollArea(Ui& ui, const char* id, const Rect& rect) : rect_(rect) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What every control is made of: scale, fonts, painting in tokens, and one way to be pressed. Every
-/// control goes through `press` (or `note`), which also tells the UiMap of it. A Ui is passed to all
-/// that draws; it holds no state of the document.
+/// What every control is made of: scale, fonts, painting in tokens, and one way to be pressed.
+/// Every control goes through `press` (or `note`), which also tells the UiMap of it. A Ui is passed
+/// to all that draws; it holds no state of the document.
 
 #include <imgui.h>
 
@@ -144,8 +144,7 @@ float text(const Ui& ui, const Rect& rect, const ImFont* font, ImU32 color, std:
 float paragraph(const Ui& ui, const Rect& rect, const ImFont* font, ImU32 color,
                 std::string_view words);
 /// An icon in the middle, at a size in logical pixels.
-void icon_glyph(const Ui& ui, const Rect& rect, const char* glyph, ImU32 color,
-                float size = 14.0f);
+void icon_glyph(const Ui& ui, const Rect& rect, const char* glyph, ImU32 color, float size = 14.0f);
 /// A key as a small bordered chip with its left edge at the rectangle's; returns its width.
 float key_chip(const Ui& ui, const Rect& rect, std::string_view key);
 

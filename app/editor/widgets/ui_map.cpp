@@ -33,8 +33,8 @@ void UiMap::add(std::string_view label, std::string_view kind, std::string_view 
     if (!file_ || visible.empty()) return;
     std::string place;
     for (const std::string& part : place_) place += (place.empty() ? "" : "/") + part;
-    entries_.push_back({std::move(place), std::string(label), std::string(kind),
-                        std::string(value), visible, enabled});
+    entries_.push_back({std::move(place), std::string(label), std::string(kind), std::string(value),
+                        visible, enabled});
 }
 
 void UiMap::set_fact(std::string_view name, std::string_view value) {
