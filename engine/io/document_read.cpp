@@ -139,7 +139,10 @@ class DocumentReader {
         if (image.file.empty() || known_images_.contains(image.hash)) return;
         const auto asset = read_beside(image.file);
         if (asset && (*asset)->hash == image.hash) {
-            known_images_.emplace(image.hash, *asset);
+            // The file's name has the hash in it; people gave the image another one.
+            ImageAsset named = **asset;
+            named.name = image.name;
+            known_images_.emplace(image.hash, std::make_shared<const ImageAsset>(std::move(named)));
             return;
         }
         warn(material, fmt::format("the image \"{}\" beside the model {}; a placeholder is shown",

@@ -187,8 +187,8 @@ BENCHMARK_CAPTURE(run, encode, with_patina)
     ->Name("png/encode/2048")
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(run, bare, with_bare_isal)
-    ->Name("png/bare/2048")
+BENCHMARK_CAPTURE(run, isal, with_bare_isal)
+    ->Name("png/isal/2048")
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(run, oiio, with_oiio)

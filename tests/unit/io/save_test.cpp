@@ -2,152 +2,18 @@
 #include "io/save.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <random>
 
-#include "document/document.h"
-#include "document/layer_edits.h"
 #include "document/material_edits.h"
 #include "document/record.h"
 #include "document/scene_edits.h"
-#include "document/source_edits.h"
 #include "io/json_splice.h"
-#include "io/load.h"
-#include "io/mesh_to_glb.h"
-#include "io/png_writer.h"
+#include "io/save_fixture.h"
 
 namespace patina::io {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::vector<fs::path> asset_models() {
-    std::vector<fs::path> models;
-    const fs::path folder = fs::path(PATINA_SOURCE_DIR) / ".." / "shared" / "assets" / "models";
-    std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-        const auto extension = entry.path().extension();
-        if (extension == ".glb" || extension == ".gltf") models.push_back(entry.path());
-    }
-    std::sort(models.begin(), models.end());
-    return models;
-}
-
-LoadedDocument loaded(const fs::path& path) {
-    auto document = load_document(path);
-    if (!document) throw std::runtime_error(document.error().message);
-    return std::move(*document);
-}
-
-Document with(const Document& before, const Edit& edit) {
-    auto after = edit.apply(before);
-    if (!after) throw std::runtime_error(after.error().message);
-    return std::move(*after);
-}
-
-const Material& material_at(const Document& document, std::size_t index) {
-    return *document.materials.at(index);
-}
-
-ProceduralSource noise(std::uint32_t seed) {
-    ProceduralSource source;
-    source.seed = seed;
-    return source;
-}
-
-/// A layer of noise in base colour and roughness on top of a material.
-Document with_noise_layer(const Document& document, std::size_t index, std::uint32_t seed = 1) {
-    Layer layer;
-    layer.name = "Noise";
-    at(layer.channels, Channel::BaseColor) = {.enabled = true, .source = noise(seed)};
-    at(layer.channels, Channel::Roughness) = {.enabled = true, .source = noise(seed + 1)};
-    Document after = document;
-    Material material = material_at(document, index);
-    layer.id = LayerId{after.next_id++};
-    material.stack.push_back(std::make_shared<const Layer>(layer));
-    material.resolution = kMinResolution;
-    after.materials[index] = std::make_shared<const Material>(material);
-    return after;
-}
-
-struct Glb {
-    std::string json;
-    Bytes binary;
-};
-
-std::uint32_t word_at(const Bytes& bytes, std::size_t at) {
-    std::uint32_t word = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        word |= static_cast<std::uint32_t>(bytes.at(at + i)) << (8 * i);
-    return word;
-}
-
-Glb parts_of(const Bytes& file) {
-    const std::size_t json = word_at(file, 12);
-    Glb parts;
-    parts.json.assign(reinterpret_cast<const char*>(file.data()) + 20, json);
-    if (file.size() <= 20 + json) return parts;
-    const auto begin = file.begin() + static_cast<std::ptrdiff_t>(28 + json);
-    parts.binary.assign(begin, begin + word_at(file, 20 + json));
-    return parts;
-}
-
-class Save : public testing::Test {
-  protected:
-    Save() {
-        folder_ = fs::temp_directory_path() /
-                  fmt::format("patina-save-{}-{}", ::getpid(),
-                              testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(folder_);
-    }
-    ~Save() override { fs::remove_all(folder_); }
-
-    /// A copy of the model, with what lies beside it, in a folder of its own.
-    fs::path copied(const fs::path& model) {
-        const auto folder = folder_ / model.stem();
-        fs::create_directories(folder);
-        if (model.extension() == ".gltf")
-            for (const auto& entry : fs::directory_iterator(model.parent_path()))
-                fs::copy(entry.path(), folder);
-        else
-            fs::copy_file(model, folder / model.filename());
-        return folder / model.filename();
-    }
-
-    SaveReport saved(const Document& document, ImageProvider& images, const fs::path& path,
-                     const SaveOptions& options = {}) {
-        auto report = save_document(document, images, path, options);
-        if (!report) throw std::runtime_error(report.error().message);
-        return std::move(*report);
-    }
-
-    std::size_t files_in(const fs::path& folder) {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
-    }
-
-    /// A quad; `uvs` says whether it has UV coordinates.
-    LoadedDocument quad(bool uvs, std::vector<PlainMaterial> materials = {{.name = "Quad"}}) {
-        Mesh mesh;
-        Primitive primitive;
-        primitive.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-        primitive.normals.assign(4, {0, 0, 1});
-        if (uvs) primitive.uvs[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-        primitive.indices = {0, 1, 2, 0, 2, 3};
-        primitive.source_material = materials.empty() ? -1 : 0;
-        mesh.primitives.push_back(primitive);
-        auto document = load_document_from_memory(mesh_to_glb(mesh, materials), "quad");
-        if (!document) throw std::runtime_error(document.error().message);
-        return std::move(*document);
-    }
-
-    fs::path folder_;
-};
-
-#define SKIP_WITHOUT(models) \
-    if ((models).empty()) GTEST_SKIP() << "no models in ../shared/assets"
 
 TEST_F(Save, LoadingAndSavingGivesTheIdenticalFile) {
     const auto models = asset_models();
