@@ -23,9 +23,9 @@ Real exp2_poly(Real x) {
 }
 
 /// log2(x) of a normal number x > 0. Absolute error below 1e-7 + 6e-8 |log2 x|; exact for powers of
-/// two. -127 for 0.
+/// two. -127 for 0 and below.
 Real log2_poly(Real x) {
-    Int bits = floatBitsToInt(x);
+    Int bits = floatBitsToInt(max(x, 0.0f));
     Int exponent = (bits - 0x3f3504f3) >> 23;  // so that the mantissa is in sqrt(0.5)..sqrt(2)
     Real f = intBitsToFloat(bits - (exponent << 23)) - 1.0f;
     Real p = -0.145744562f;
