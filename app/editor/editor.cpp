@@ -184,9 +184,10 @@ double draw_frame(Ui& ui, Window& window, Workspace& workspace) {
         ui.end_frame();
         state_facts(ui, workspace, shown, layout);
     }
+    window.end_frame();
+    // After the swap: who reads the map finds on screen what it says.
     if (const Status written = ui.map.end_frame(); !written)
         std::fprintf(stderr, "patina: %s\n", written.error().message.c_str());
-    window.end_frame();
     return session.wants_frame() ? 0.0 : ui.seconds_to_wake();
 }
 

@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include "render/window_target.h"
+
 namespace patina::editor {
 
 namespace {
@@ -165,6 +167,7 @@ void Window::begin_frame() {
 
 void Window::end_frame() {
     ImGui::Render();
+    render::draw_to_window();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(state_->handle);
 }
