@@ -11,9 +11,18 @@
 namespace patina::cli {
 namespace {
 
-constexpr std::array kCommands = {add_sample};
+constexpr std::array kCommands = {add_bake,  add_render, add_info,
+                                  add_check, add_preset, add_sample};
 
-constexpr const char* kFooter = "Exit status: 0 done, 1 failed (one line says why), 2 wrong usage.";
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  patina sample -o ball.glb             write the sample scene\n"
+    "  patina bake ball.glb --preset rusted-iron@Ball -o rusty.glb\n"
+    "  patina render rusty.glb --shading split -o pbr-beside-phong.png\n"
+    "\n"
+    "Exit status: 0 done, 1 failed (one line says why), 2 wrong usage.\n"
+    "Limits: files of 2 GiB, 1000000 nodes nested 1000 deep, JSON nested 64 deep, images of\n"
+    "16384 texels a side and 2 GiB decoded in all, 1024 layers in a material.";
 
 /// The command whose help is to be looked at: "patina", or "patina bake".
 std::string innermost_command(const CLI::App& app) {

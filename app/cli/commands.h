@@ -19,6 +19,11 @@ namespace patina::cli {
 /// A command with all its arguments. It prints its own results on the standard output.
 using Command = std::function<Status()>;
 
+void add_bake(CLI::App& app, Command& chosen);
+void add_render(CLI::App& app, Command& chosen);
+void add_info(CLI::App& app, Command& chosen);
+void add_check(CLI::App& app, Command& chosen);
+void add_preset(CLI::App& app, Command& chosen);
 void add_sample(CLI::App& app, Command& chosen);
 
 }  // namespace patina::cli

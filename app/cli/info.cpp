@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// patina info: what a file holds, each material's stack as a tree.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "document/choices.h"
+
+namespace patina::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFooter =
+    "The top of a stack is printed first, as in the editor.\n"
+    "\n"
+    "Examples:\n"
+    "  patina info model.glb\n"
+    "  patina info model.glb --json";
+
+struct InfoOptions {
+    std::filesystem::path input;
+    bool json = false;
+};
+
+struct SceneCounts {
+    std::size_t meshes = 0;
+    std::size_t primitives = 0;
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+};
+
+SceneCounts counts_of(const Scene& scene) {
+    SceneCounts counts = {.meshes = scene.meshes.size()};
+    for (const Mesh& mesh : scene.meshes)
+        for (const Primitive& primitive : mesh.primitives) {
+            ++counts.primitives;
+            counts.vertices += primitive.positions.size();
+            counts.triangles += primitive.indices.size() / 3;
+        }
+    return counts;
+}
+
+std::string_view kind_of(const Layer& layer) {
+    return layer.is_group() ? "group" : "fill";
+}
+
+/// The ids of the channels that a layer lays something on.
+std::vector<std::string_view> channels_of(const Layer& layer) {
+    std::vector<std::string_view> ids;
+    for (const ChannelInfo& channel : kChannels)
+        if (at(layer.channels, channel.channel).enabled) ids.push_back(channel.id);
+    return ids;
+}
+
+Json to_json(const Layer& layer) {
+    Json json = {{"id", layer.id.value},          {"name", layer.name},
+                 {"kind", kind_of(layer)},        {"visible", layer.visible},
+                 {"locked", layer.locked},        {"opacity", layer.opacity},
+                 {"mode", info(layer.mode).id},   {"mask_entries", layer.mask.entries.size()},
+                 {"channels", channels_of(layer)}};
+    if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
+        json["children"] = Json::array();
+        for (const LayerPtr& child : group->children) json["children"].push_back(to_json(*child));
+    }
+    return json;
+}
+
+Json to_json(const Material& material) {
+    Json json = {{"name", material.name},
+                 {"resolution", material.resolution},
+                 {"alpha_mode", choice(material.alpha_mode).id},
+                 {"double_sided", material.double_sided},
+                 {"stack", Json::array()}};
+    for (const LayerPtr& layer : material.stack) json["stack"].push_back(to_json(*layer));
+    return json;
+}
+
+Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
+    const Document& document = *loaded.document;
+    const SceneCounts counts = counts_of(*document.scene);
+    Json json = {{"file", options.input.string()},
+                 {"meshes", counts.meshes},
+                 {"primitives", counts.primitives},
+                 {"vertices", counts.vertices},
+                 {"triangles", counts.triangles},
+                 {"lights", document.lights.size()},
+                 {"environment", document.environment.name},
+                 {"images", Json::array()},
+                 {"materials", Json::array()},
+                 {"warnings", loaded.warnings}};
+    for (const auto& [hash, image] : document.images)
+        json["images"].push_back({{"name", image->name},
+                                  {"hash", to_hex(hash)},
+                                  {"width", image->width},
+                                  {"height", image->height},
+                                  {"channels", image->channels},
+                                  {"type", choice(image->type).id}});
+    for (const MaterialPtr& material : document.materials)
+        json["materials"].push_back(to_json(*material));
+    return json;
+}
+
+std::string described(const Layer& layer) {
+    std::string text = fmt::format("{}  [{}", quoted_for_message(layer.name), kind_of(layer));
+    if (layer.mode != BlendMode::Normal) text += fmt::format(", {}", info(layer.mode).label);
+    if (layer.opacity != 1.0f) text += fmt::format(", {:.0f} %", 100.0f * layer.opacity);
+    if (!layer.mask.entries.empty()) text += fmt::format(", mask of {}", layer.mask.entries.size());
+    if (!layer.visible) text += ", hidden";
+    if (layer.locked) text += ", locked";
+    return text + fmt::format("]  {}", fmt::join(channels_of(layer), ", "));
+}
+
+/// The top layer first. `indent` is what stands before each line.
+void print_stack(const std::vector<LayerPtr>& layers, const std::string& indent) {
+    for (std::size_t i = layers.size(); i-- > 0;) {
+        const bool last = i == 0;
+        fmt::print("{}{} {}\n", indent, last ? "└─" : "├─", described(*layers[i]));
+        if (const auto* group = std::get_if<GroupContent>(&layers[i]->content))
+            print_stack(group->children, indent + (last ? "   " : "│  "));
+    }
+}
+
+void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
+    const Document& document = *loaded.document;
+    const SceneCounts counts = counts_of(*document.scene);
+    fmt::print("{}: {} meshes, {} primitives, {} vertices, {} triangles, {} images, {} lights\n",
+               quoted_for_message(options.input.string()), counts.meshes, counts.primitives,
+               counts.vertices, counts.triangles, document.images.size(), document.lights.size());
+    for (const auto& [hash, image] : document.images)
+        fmt::print("image {}: {}x{}, {} channels, {}\n", quoted_for_message(image->name),
+                   image->width, image->height, image->channels, choice(image->type).label);
+    for (const MaterialPtr& material : document.materials) {
+        fmt::print("\nmaterial {}: {} texels a side, {}\n", quoted_for_message(material->name),
+                   material->resolution, choice(material->alpha_mode).id);
+        print_stack(material->stack, "");
+    }
+}
+
+Status run_info(const InfoOptions& options) {
+    const auto loaded = opened_document(options.input, {});
+    if (!loaded) return passed_on(loaded);
+    if (options.json)
+        fmt::print("{}\n", to_json(options, *loaded).dump(2));
+    else
+        print(options, *loaded);
+    return {};
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Command& chosen) {
+    auto* command =
+        app.add_subcommand("info", "Show the scene and each material's stack as a tree");
+    command->footer(kFooter);
+    auto options = std::make_shared<InfoOptions>();
+    command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
+    command->add_flag("--json", options->json, "Report as JSON");
+    command->callback([options, &chosen] { chosen = [options] { return run_info(*options); }; });
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Opening what a command works on, and finding in it what the command line names.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/result.h"
+#include "document/document.h"
+#include "io/load.h"
+
+namespace patina::cli {
+
+/// Opens a .gltf or .glb file; its warnings go to the log.
+Result<io::LoadedDocument> opened_document(const std::filesystem::path& path,
+                                           const Progress& progress);
+
+/// The materials with that name; an empty name means all. None is a failure that lists the names.
+Result<std::vector<MaterialPtr>> named_materials(const Document& document, std::string_view name);
+
+/// `NAME[@MATERIAL]` as it was typed after --preset.
+struct PresetRequest {
+    std::string preset;
+    std::string material;  ///< empty: every material
+};
+
+/// `--preset NAME[@MATERIAL]`, which may be given several times.
+void add_preset_option(CLI::App& app, std::vector<PresetRequest>& requests);
+
+/// Lays each preset in turn on top of the stacks that it names.
+Status apply_presets(io::LoadedDocument& loaded, const std::vector<PresetRequest>& requests);
+
+}  // namespace patina::cli

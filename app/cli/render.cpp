@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// patina render: a picture of a file, without a window.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/progress_bar.h"
+#include "core/log.h"
+#include "io/image_file.h"
+#include "render/environment.h"
+#include "render/offscreen.h"
+
+namespace patina::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "World: right-handed, +Y up, metres. A direction (x, y, z) reads an environment at\n"
+    "u = 0.5 + atan2(z, x) / 2pi, v = acos(y) / pi from the top row.\n"
+    "A .png holds the exposed and tone-mapped picture; a .exr holds linear radiance without both,\n"
+    "or with --channel the raw numbers.\n"
+    "\n"
+    "Examples:\n"
+    "  patina render model.glb -o picture.png\n"
+    "  patina render model.glb --shading split --divider 0.4 -o pbr-beside-phong.png\n"
+    "  patina render model.glb --channel roughness --size 512x512 -o roughness.png\n"
+    "  patina render model.glb --channel strip --size 320x240 -o channels.png\n"
+    "  patina render model.glb --environment garden.hdr --background environment\n"
+    "      --camera-position 2,1,3 --camera-target 0,0.5,0 --fov-y 35 --samples 64 -o picture.exr";
+
+/// What --shading names: one model, or two against each other.
+struct PictureKind {
+    std::string_view id;
+    render::CompareMode compare;
+    render::ShadingModel left;
+};
+constexpr std::array kPictureKinds = {
+    PictureKind{"pbr", render::CompareMode::Single, render::ShadingModel::Pbr},
+    PictureKind{"phong", render::CompareMode::Single, render::ShadingModel::Phong},
+    PictureKind{"blinn-phong", render::CompareMode::Single, render::ShadingModel::BlinnPhong},
+    PictureKind{"split", render::CompareMode::Split, render::ShadingModel::Pbr},
+    PictureKind{"two-views", render::CompareMode::TwoViews, render::ShadingModel::Pbr},
+    PictureKind{"difference", render::CompareMode::Difference, render::ShadingModel::Pbr},
+};
+
+struct TermSet {
+    std::string_view id;
+    render::PbrTerms terms;
+};
+constexpr std::array kTermSets = {TermSet{"gltf", {}}, TermSet{"lecture", render::kLectureTerms}};
+
+struct NamedDirection {
+    std::string_view id;
+    render::ViewDirection direction;
+};
+constexpr std::array kDirections = {
+    NamedDirection{"three-quarter", render::ViewDirection::ThreeQuarter},
+    NamedDirection{"front", render::ViewDirection::Front},
+    NamedDirection{"back", render::ViewDirection::Back},
+    NamedDirection{"left", render::ViewDirection::Left},
+    NamedDirection{"right", render::ViewDirection::Right},
+    NamedDirection{"top", render::ViewDirection::Top},
+    NamedDirection{"bottom", render::ViewDirection::Bottom},
+};
+
+struct RenderOptions {
+    std::filesystem::path input;
+    std::filesystem::path output;
+    std::vector<PresetRequest> presets;
+    std::string environment;  ///< a built-in name or a file; empty: as the document says
+    std::optional<glm::vec3> camera_position;
+    std::optional<glm::vec3> camera_target;
+    std::optional<glm::vec3> camera_up;
+    bool strip = false;
+    render::OffscreenRequest request;
+    WorkOptions work;
+};
+
+bool is_builtin(std::string_view environment) {
+    for (const render::BuiltinEnvironment& entry : render::kBuiltinEnvironments)
+        if (entry.id == environment) return true;
+    return false;
+}
+
+Result<ImagePtr> environment_map(const std::filesystem::path& path) {
+    const auto bytes = read_file(path);
+    if (!bytes) return passed_on(bytes);
+    auto map = io::decode_image(*bytes, path.string());
+    if (!map) return failure("{}: {}", quoted_for_message(path.string()), map.error().message);
+    return map;
+}
+
+/// Puts the environment that was asked for into the document or the request.
+Status set_environment(const RenderOptions& options, io::LoadedDocument& loaded,
+                       render::OffscreenRequest& request) {
+    Document document = *loaded.document;
+    std::string& name = document.environment.name;
+    if (is_builtin(options.environment)) {
+        name = options.environment;
+    } else if (!options.environment.empty()) {
+        const auto map = environment_map(options.environment);
+        if (!map) return passed_on(map);
+        request.environment = *map;
+    } else if (!is_builtin(name)) {
+        // A file may not make this program read another one.
+        log_warning("{} was lit by '{}': give it with --environment; the studio is used",
+                    quoted_for_message(options.input.string()), quoted_for_message(name));
+        name = render::kBuiltinEnvironments.front().id;
+    }
+    loaded.document = std::make_shared<const Document>(std::move(document));
+    return {};
+}
+
+void set_camera(const RenderOptions& options, const Document& document,
+                render::OffscreenRequest& request) {
+    render::Camera& camera = request.view.camera;
+    if (options.camera_up) camera.up = *options.camera_up;
+    if (!options.camera_position) return;
+    request.automatic_camera.reset();
+    camera.position = *options.camera_position;
+    camera.target = options.camera_target.value_or(document.scene->bounds_world.center());
+}
+
+Result<render::RenderedImage> rendered(const RenderOptions& options, const Progress& progress) {
+    auto loaded = opened_document(options.input, progress);
+    if (!loaded) return passed_on(loaded);
+    if (const Status applied = apply_presets(*loaded, options.presets); !applied)
+        return passed_on(applied);
+    render::OffscreenRequest request = options.request;
+    request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
+    if (const Status lit = set_environment(options, *loaded, request); !lit) return passed_on(lit);
+    set_camera(options, *loaded->document, request);
+    if (options.strip)
+        return render::render_strip_offscreen(*loaded->document, *loaded->images, request,
+                                              request.size, progress);
+    return render::render_offscreen(*loaded->document, *loaded->images, request, progress);
+}
+
+nlohmann::ordered_json to_json(const render::SideCost& cost) {
+    nlohmann::ordered_json passes;
+    for (const render::PassCost& pass : cost.passes) passes[std::string(pass.name)] = pass.gpu_ms;
+    return {{"frame_ms", cost.frame_ms},
+            {"passes_ms", passes},
+            {"gbuffer_bytes", cost.gbuffer_bytes},
+            {"environment_bytes", cost.environment_bytes}};
+}
+
+nlohmann::ordered_json to_json(const RenderOptions& options, const render::RenderedImage& picture) {
+    nlohmann::ordered_json json = {{"output", options.output.string()},
+                                   {"width", picture.image.width},
+                                   {"height", picture.image.height},
+                                   {"triangles", picture.stats.triangles},
+                                   {"material_texture_bytes", picture.stats.material_texture_bytes},
+                                   {"bake_ms", picture.bake_ms},
+                                   {"environment_ms", picture.environment_ms},
+                                   {"render_ms", picture.render_ms},
+                                   {"left", to_json(picture.stats.left)}};
+    if (picture.stats.right) json["right"] = to_json(*picture.stats.right);
+    return json;
+}
+
+Status run_render(const RenderOptions& options) {
+    const ThreadScope threads(options.work);
+    const Progress progress;
+    Result<render::RenderedImage> picture;
+    {
+        const ProgressBar bar(progress, !options.work.quiet);
+        picture = rendered(options, progress);
+    }
+    if (!picture) return passed_on(picture);
+    if (const Status written = io::write_image_file(options.output, picture->image); !written)
+        return written;
+    if (options.work.json)
+        fmt::print("{}\n", to_json(options, *picture).dump(2));
+    else if (!options.work.quiet)
+        fmt::print("{}: {}x{}, {:.0f} ms\n", options.output.string(), picture->image.width,
+                   picture->image.height,
+                   picture->bake_ms + picture->environment_ms + picture->render_ms);
+    return {};
+}
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    add_size_option(command, "--size", options.request.size.width, options.request.size.height,
+                    "Size of the picture, or of each channel of the strip");
+    command.add_option("--samples", options.request.samples, "Sub-pixel samples that are averaged")
+        ->check(CLI::Range(1, 65536))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--exposure", view.exposure_ev, "Exposure; light is multiplied by 2^EV")
+        ->check(CLI::Range(-20.0, 20.0))
+        ->type_name("EV")
+        ->capture_default_str();
+    add_choice_option(
+        command, "--tone-map", render::kToneMaps,
+        [&view](const auto& entry) { view.tone_map = entry.value; }, "How light becomes colour")
+        ->default_str("pbr-neutral");
+}
+
+void add_shading_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    add_choice_option(
+        command, "--shading", kPictureKinds,
+        [&view](const PictureKind& kind) {
+            view.compare = kind.compare;
+            view.left.model = kind.left;
+        },
+        "How surfaces are lit; the last three set PBR against --against")
+        ->default_str("pbr");
+    add_choice_option(
+        command, "--against", render::kShadingModels,
+        [&view](const auto& entry) { view.right.model = entry.value; }, "What PBR is compared with")
+        ->default_str("phong");
+    command.add_option("--divider", view.divider, "Where the split is, of the width")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("0-1")
+        ->capture_default_str();
+    add_choice_option(
+        command, "--terms", kTermSets,
+        [&view](const TermSet& set) { view.left.terms = view.right.terms = set.terms; },
+        "The terms of PBR; the lecture's lack 1/pi and energy balance")
+        ->default_str("gltf");
+}
+
+/// --channel takes a channel's id or "strip" for ten of them side by side.
+void add_channel_option(CLI::App& command, RenderOptions& options) {
+    std::string ids = "strip";
+    for (const render::ChannelViewInfo& entry : render::kChannelViews)
+        ids += fmt::format("|{}", entry.id);
+    const auto choose = [&options](const std::string& id) {
+        options.strip = id == "strip";
+        if (options.strip) return;
+        const auto channel = render::channel_view_from_id(id);
+        if (!channel)
+            throw CLI::ValidationError("--channel", fmt::format("'{}' is no channel", id));
+        options.request.view.channel = *channel;
+    };
+    command.add_option_function<std::string>("--channel", choose, "One channel, or ten in a strip")
+        ->type_name(ids)
+        ->default_str("final");
+}
+
+void add_light_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    std::string names;
+    for (const render::BuiltinEnvironment& entry : render::kBuiltinEnvironments)
+        names += fmt::format("{}|", entry.id);
+    command
+        .add_option(
+            "--environment", options.environment,
+            "An equirectangular .hdr or .exr file, or a built-in; as the file says if unset")
+        ->type_name(names + "FILE");
+    command
+        .add_option("--environment-rotation", view.environment_rotation_degrees,
+                    "Turn it about +Y, counter-clockwise from above")
+        ->type_name("DEG")
+        ->capture_default_str();
+    command
+        .add_option("--environment-intensity", view.environment_intensity,
+                    "Multiply its light by this")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("X")
+        ->capture_default_str();
+}
+
+/// Two hexadecimal digits at each of three places after '#'.
+std::optional<glm::vec3> html_color(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    glm::vec3 color(0.0f);
+    for (int i = 0; i < 3; ++i) {
+        unsigned byte = 0;
+        const char* first = text.data() + 1 + 2 * i;
+        const auto [end, error] = std::from_chars(first, first + 2, byte, 16);
+        if (error != std::errc() || end != first + 2) return std::nullopt;
+        color[i] = static_cast<float>(byte) / 255.0f;
+    }
+    return color;
+}
+
+void add_background_option(CLI::App& command, RenderOptions& options) {
+    render::Background& background = options.request.view.background;
+    const auto choose = [&background](const std::string& text) {
+        if (const auto color = html_color(text)) {
+            background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
+            return;
+        }
+        const auto* choice = render::choice_from_id(render::kBackgrounds, text);
+        if (choice == nullptr || choice->value == render::Background::Kind::Color)
+            throw CLI::ValidationError("--background", fmt::format("'{}' is no background", text));
+        background.kind = choice->value;
+    };
+    command.add_option_function<std::string>("--background", choose, "What is behind the model")
+        ->type_name("studio|environment|blurred|none|#rrggbb")
+        ->default_str("studio");
+}
+
+void add_camera_options(CLI::App& command, RenderOptions& options) {
+    auto* position = add_vector_option(command, "--camera-position", options.camera_position,
+                                       "Where the camera stands; it frames the scene if unset");
+    add_vector_option(command, "--camera-target", options.camera_target,
+                      "What it looks at; the middle of the scene if unset")
+        ->needs(position);
+    add_vector_option(command, "--camera-up", options.camera_up, "What is up in the picture")
+        ->default_str("0,1,0")
+        ->needs(position);
+    command
+        .add_option("--fov-y", options.request.view.camera.fov_y_degrees,
+                    "Field of view from top to bottom")
+        ->check(CLI::Range(1.0, 160.0))
+        ->type_name("DEG")
+        ->capture_default_str();
+    add_choice_option(
+        command, "--view", kDirections,
+        [&options](const NamedDirection& entry) {
+            options.request.automatic_camera = entry.direction;
+        },
+        "From where the scene is framed")
+        ->default_str("three-quarter")
+        ->excludes(position);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Command& chosen) {
+    auto* command = app.add_subcommand("render", "Draw a picture of a file, without a window");
+    command->footer(kFooter);
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
+    add_output_option(*command, options->output, {".png", ".tif", ".exr"}, "The picture to write");
+    add_preset_option(*command, options->presets);
+    add_picture_options(*command, *options);
+    add_shading_options(*command, *options);
+    add_channel_option(*command, *options);
+    add_light_options(*command, *options);
+    add_background_option(*command, *options);
+    add_camera_options(*command, *options);
+    add_work_options(*command, options->work);
+    command->callback([options, &chosen] { chosen = [options] { return run_render(*options); }; });
+}
+
+}  // namespace patina::cli

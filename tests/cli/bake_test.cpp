@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include "cli/program.h"
+
+namespace patina::cli_tests {
+namespace {
+
+using testing::HasSubstr;
+
+class Bake : public ProgramTest {};
+
+TEST_F(Bake, WithNothingToChangeGivesTheIdenticalFile) {
+    const std::string input = sample();
+    ASSERT_TRUE(succeeded(patina({"bake", input, "-o", at("out.glb")})));
+    EXPECT_EQ(file_text(input), file_text(at("out.glb")));
+}
+
+TEST_F(Bake, APresetOnOneMaterialLeavesTheOtherAlone) {
+    const std::string input = sample();
+    ASSERT_TRUE(succeeded(patina(
+        {"bake", input, "--preset", "rusted-iron@Ball", "--size", "256", "-o", at("out.glb")})));
+    const nlohmann::json before = glb_json(input);
+    const nlohmann::json after = glb_json(at("out.glb"));
+    EXPECT_EQ(after["materials"][1], before["materials"][1]);
+    const nlohmann::json& ball = after["materials"][0];
+    EXPECT_TRUE(ball["pbrMetallicRoughness"].contains("baseColorTexture"));
+    EXPECT_TRUE(ball["extras"].contains("patina"));
+    EXPECT_GT(after["images"].size(), 0u);
+}
+
+TEST_F(Bake, WithoutAMaterialNameThePresetGoesOnAll) {
+    ASSERT_TRUE(succeeded(patina(
+        {"bake", sample(), "--preset", "rusted-iron", "--size", "256", "-o", at("out.glb")})));
+    for (const nlohmann::json& material : glb_json(at("out.glb"))["materials"])
+        EXPECT_TRUE(material["extras"].contains("patina"));
+}
+
+TEST_F(Bake, GivesTheSameBytesAtAnyNumberOfThreads) {
+    const std::string input = sample();
+    for (const std::string threads : {"1", "2", "5"})
+        ASSERT_TRUE(succeeded(patina({"bake", input, "--preset", "painted-wood", "--size", "512",
+                                      "--threads", threads, "-o", at(threads + ".glb")})));
+    EXPECT_EQ(file_text(at("1.glb")), file_text(at("2.glb")));
+    EXPECT_EQ(file_text(at("1.glb")), file_text(at("5.glb")));
+}
+
+TEST_F(Bake, BakingItsOwnOutputChangesNothing) {
+    ASSERT_TRUE(succeeded(patina(
+        {"bake", sample(), "--preset", "brushed-brass", "--size", "256", "-o", at("once.glb")})));
+    ASSERT_TRUE(succeeded(patina({"bake", at("once.glb"), "-o", at("twice.glb")})));
+    EXPECT_EQ(file_text(at("once.glb")), file_text(at("twice.glb")));
+}
+
+TEST_F(Bake, AlsoWritesTheMapsAsFilesAndReportsThem) {
+    for (const std::string format : {"png", "tif"}) {
+        const Outcome outcome =
+            patina({"bake", sample(), "--preset", "rusted-iron@Ball", "--size", "256", "--maps",
+                    at(format), "--map-format", format, "--json", "-o", at("out.glb")});
+        ASSERT_TRUE(succeeded(outcome));
+        const nlohmann::json report = nlohmann::json::parse(outcome.out);
+        EXPECT_EQ(report["materials_written"], 1);
+        ASSERT_GT(report["map_files"].size(), 0u);
+        for (const auto& file : report["map_files"]) {
+            const std::filesystem::path path = file.get<std::string>();
+            EXPECT_EQ(path.extension(), "." + format);
+            EXPECT_GT(std::filesystem::file_size(path), 0u);
+        }
+    }
+}
+
+TEST_F(Bake, AnUnknownPresetOrMaterialIsOneLineThatListsTheKnownOnes) {
+    const std::string input = sample();
+    const Outcome preset = patina({"bake", input, "--preset", "unobtainium", "-o", at("o.glb")});
+    EXPECT_TRUE(failed_with_one_line(preset));
+    EXPECT_THAT(preset.errors, HasSubstr("rusted-iron"));
+    const Outcome material =
+        patina({"bake", input, "--preset", "rusted-iron@Wheel", "-o", at("o.glb")});
+    EXPECT_TRUE(failed_with_one_line(material));
+    EXPECT_THAT(material.errors, HasSubstr("Ball, Stand"));
+    EXPECT_EQ(files(), 1u) << "only the input may be there";
+}
+
+TEST_F(Bake, QuietSaysNothing) {
+    const Outcome outcome = patina({"bake", sample(), "--quiet", "-o", at("out.glb")});
+    ASSERT_TRUE(succeeded(outcome));
+    EXPECT_EQ(outcome.out + outcome.errors, "");
+}
+
+}  // namespace
+}  // namespace patina::cli_tests

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include "cli/program.h"
+
+namespace patina::cli_tests {
+namespace {
+
+using testing::HasSubstr;
+
+class Info : public ProgramTest {};
+
+TEST_F(Info, ShowsTheStackOfWhatWasBakedAsATree) {
+    ASSERT_TRUE(succeeded(patina(
+        {"bake", sample(), "--preset", "rusted-iron@Ball", "--size", "256", "-o", at("out.glb")})));
+    const Outcome text = patina({"info", at("out.glb")});
+    ASSERT_TRUE(succeeded(text));
+    EXPECT_THAT(text.out, HasSubstr("material Ball"));
+    EXPECT_THAT(text.out, HasSubstr("├─ Rusted iron"));
+    EXPECT_THAT(text.out, HasSubstr("└─ "));
+    const nlohmann::json json =
+        nlohmann::json::parse(patina({"info", at("out.glb"), "--json"}).out);
+    EXPECT_EQ(json["materials"][0]["name"], "Ball");
+    const nlohmann::json& stack = json["materials"][0]["stack"];
+    EXPECT_EQ(stack.back()["name"], "Rusted iron");
+    EXPECT_GT(stack.back()["children"].size(), 1u);
+}
+
+TEST_F(Info, CheckFindsNothingWrongWithTheSample) {
+    const Outcome check = patina({"check", sample(), "--json"});
+    ASSERT_TRUE(succeeded(check));
+    const nlohmann::json json = nlohmann::json::parse(check.out);
+    EXPECT_EQ(json["faults"].size(), 0u);
+    EXPECT_EQ(json["warnings"].size(), 0u);
+}
+
+}  // namespace
+}  // namespace patina::cli_tests

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "cli/program.h"
+
+namespace patina::cli_tests {
+namespace {
+
+using testing::HasSubstr;
+
+class Render : public ProgramTest {
+  protected:
+    /// Renders the sample small and quickly.
+    Outcome render(std::vector<std::string> more, const std::string& output) const {
+        std::vector<std::string> arguments = {"render",    input_, "--size", "64x48",
+                                              "--samples", "1",    "-o",     at(output)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return patina(arguments);
+    }
+
+    std::string input_ = sample();
+};
+
+/// Width and height of a PNG, from its header.
+std::pair<int, int> png_size(const std::string& png) {
+    if (!png.starts_with("\x89PNG")) return {};
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i)
+            value = value * 256 + static_cast<unsigned char>(png[i]);
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+TEST_F(Render, WritesAPictureOfTheSizeThatWasAskedFor) {
+    ASSERT_TRUE(succeeded(render({}, "picture.png")));
+    EXPECT_EQ(png_size(file_text(at("picture.png"))), std::pair(64, 48));
+}
+
+TEST_F(Render, WritesLinearLightAsExr) {
+    ASSERT_TRUE(succeeded(render({}, "picture.exr")));
+    EXPECT_TRUE(file_text(at("picture.exr")).starts_with("\x76\x2f\x31\x01"));
+}
+
+TEST_F(Render, TheStripIsTenPicturesWide) {
+    ASSERT_TRUE(succeeded(render({"--channel", "strip"}, "strip.png")));
+    EXPECT_EQ(png_size(file_text(at("strip.png"))), std::pair(640, 48));
+}
+
+TEST_F(Render, EveryShadingAndChannelGivesAPictureOfItsOwn) {
+    std::map<std::string, std::string> pictures;
+    for (const std::string shading : {"pbr", "phong", "blinn-phong", "split", "difference"}) {
+        ASSERT_TRUE(succeeded(render({"--shading", shading}, "a.png"))) << shading;
+        pictures[file_text(at("a.png"))] += shading + " ";
+    }
+    for (const std::string channel : {"base-color", "normal", "position", "depth", "uv", "f0"}) {
+        ASSERT_TRUE(succeeded(render({"--channel", channel}, "a.png"))) << channel;
+        pictures[file_text(at("a.png"))] += channel + " ";
+    }
+    EXPECT_EQ(pictures.size(), 11u);
+}
+
+TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
+    ASSERT_TRUE(succeeded(render({}, "plain.png")));
+    const std::string plain = file_text(at("plain.png"));
+    for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
+             {"--camera-position", "0,1,4", "--camera-target", "0,0.5,0", "--fov-y", "40"},
+             {"--view", "back"},
+             {"--exposure", "2"},
+             {"--tone-map", "none"},
+             {"--background", "#ff8000"},
+             {"--background", "none"},
+             {"--environment", "sky"},
+             {"--environment-rotation", "90"},
+             {"--preset", "brushed-brass@Ball"}}) {
+        ASSERT_TRUE(succeeded(render(change, "changed.png"))) << change[0];
+        EXPECT_NE(file_text(at("changed.png")), plain) << testing::PrintToString(change);
+    }
+}
+
+TEST_F(Render, GivesTheSamePictureTwiceAndAtAnyNumberOfThreads) {
+    ASSERT_TRUE(succeeded(render({"--threads", "1"}, "1.png")));
+    ASSERT_TRUE(succeeded(render({"--threads", "3"}, "3.png")));
+    EXPECT_EQ(file_text(at("1.png")), file_text(at("3.png")));
+}
+
+TEST_F(Render, ReportsItsCostsAsJson) {
+    const Outcome outcome = render({"--json"}, "picture.png");
+    ASSERT_TRUE(succeeded(outcome));
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["width"], 64);
+    EXPECT_GT(report["triangles"], 10000);
+    EXPECT_GT(report["left"]["gbuffer_bytes"], 64 * 48 * 4);
+}
+
+TEST_F(Render, AnEnvironmentThatIsNoImageIsOneLine) {
+    std::ofstream(at("fake.hdr")) << "no picture";
+    const Outcome outcome = render({"--environment", at("fake.hdr")}, "picture.png");
+    EXPECT_TRUE(failed_with_one_line(outcome));
+    EXPECT_THAT(outcome.errors, HasSubstr("fake.hdr"));
+}
+
+}  // namespace
+}  // namespace patina::cli_tests

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What Patina writes, judged by the Khronos glTF validator (./test installs it into build/node).
+#include <gmock/gmock.h>
+
+#include "cli/program.h"
+
+namespace patina::cli_tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kModules = fs::path(PATINA_SOURCE_DIR) / "build/node/node_modules";
+const fs::path kModels = fs::path(PATINA_SOURCE_DIR) / "../shared/assets/models";
+
+class Validator : public ProgramTest {
+  protected:
+    void SetUp() override {
+        if (!fs::is_directory(kModules / "gltf-validator"))
+            GTEST_SKIP() << "gltf-validator is not installed in build/node; ./test does that";
+    }
+
+    /// The errors in a file: a code and a JSON pointer each.
+    static std::vector<std::string> errors_in(const std::string& file) {
+        const std::string script = PATINA_SOURCE_DIR "/tests/cli/validate.cjs";
+        const Outcome outcome = run_executable("node", {script, kModules.string(), file});
+        EXPECT_TRUE(succeeded(outcome));
+        const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+        return json.is_object() ? json[file].get<std::vector<std::string>>()
+                                : std::vector<std::string>{"the validator gave no report"};
+    }
+};
+
+std::vector<fs::path> models() {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(kModels, error))
+        if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf")
+            found.push_back(entry.path());
+    return found;
+}
+
+TEST_F(Validator, FindsNoErrorInAnySample) {
+    for (const std::string shape :
+         {"shader-ball", "sphere", "rounded-cube", "plane", "cylinder", "torus"}) {
+        ASSERT_TRUE(succeeded(patina({"sample", "--shape", shape, "-o", at("a.glb")})));
+        EXPECT_THAT(errors_in(at("a.glb")), testing::IsEmpty()) << shape;
+    }
+}
+
+TEST_F(Validator, FindsNoErrorInTheBakedSample) {
+    for (const std::string preset : {"rusted-iron", "painted-wood", "brushed-brass"})
+        for (const std::string extension : {".glb", ".gltf"}) {
+            const std::string output = at(preset + extension);
+            ASSERT_TRUE(succeeded(
+                patina({"bake", sample(), "--preset", preset, "--size", "256", "-o", output})));
+            EXPECT_THAT(errors_in(output), testing::IsEmpty()) << output;
+        }
+}
+
+TEST_F(Validator, FindsNoErrorInABakedModelThatWasNotInTheModel) {
+    const std::vector<fs::path> inputs = models();
+    if (inputs.empty()) GTEST_SKIP() << "no models in " << kModels;
+    for (const fs::path& input : inputs) {
+        ASSERT_TRUE(succeeded(patina({"bake", input.string(), "--preset", "rusted-iron", "--size",
+                                      "256", "-o", at("out.glb")})))
+            << input;
+        const std::vector<std::string> before = errors_in(input.string());
+        if (before.empty())
+            EXPECT_THAT(errors_in(at("out.glb")), testing::IsEmpty()) << input;
+        else
+            EXPECT_LE(errors_in(at("out.glb")).size(), before.size()) << input;
+    }
+}
+
+}  // namespace
+}  // namespace patina::cli_tests
