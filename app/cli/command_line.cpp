@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdio>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -43,6 +45,26 @@ ExitStatus report(const CLI::App& app, const CLI::ParseError& error) {
     return {2};
 }
 
+/// What may be said when there is no command.
+void add_editor_options(CLI::App& app, EditorRequest& editor) {
+    app.add_option("FILE", editor.file, "The model to open in the editor: .glb or .gltf")
+        ->check(CLI::ExistingFile);
+    app.add_option("--ui-map", editor.ui_map,
+                   "Keep FILE up to date with every visible control of the editor, as JSON");
+    app.add_option("--scale", editor.scale, "Size of the editor's interface")
+        ->check(CLI::Range(1.0, 2.5));
+    app.add_option_function<std::string>(
+           "--window",
+           [&editor](const std::string& size) {
+               if (std::sscanf(size.c_str(), "%dx%d", &editor.window_width,
+                               &editor.window_height) != 2 ||
+                   std::min(editor.window_width, editor.window_height) < 1)
+                   throw CLI::ValidationError("--window: not WxH such as 1600x900");
+           },
+           "Size of the editor's window")
+        ->type_name("WxH");
+}
+
 }  // namespace
 
 Invocation parse(int argc, char** argv) {
@@ -50,7 +72,9 @@ Invocation parse(int argc, char** argv) {
     app.name("patina");
     app.set_version_flag("--version", "patina " PATINA_VERSION);
     app.footer(kFooter);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
+    EditorRequest editor;
+    add_editor_options(app, editor);
     Command chosen;
     for (const auto add : kCommands) add(app, chosen);
     try {
@@ -58,6 +82,7 @@ Invocation parse(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report(app, error);
     }
+    if (!chosen) return editor;
     return chosen;
 }
 

@@ -3,7 +3,9 @@
 
 /// What was typed: a command.
 
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <variant>
 
 #include "core/result.h"
@@ -15,7 +17,16 @@ struct ExitStatus {
     int value = 0;
 };
 
-using Invocation = std::variant<std::function<Status()>, ExitStatus>;
+/// No command: the editor is to be opened.
+struct EditorRequest {
+    std::optional<std::filesystem::path> file;
+    std::optional<std::filesystem::path> ui_map;
+    float scale = 0.0f;  ///< 1 to 2.5; 0 asks the monitor
+    int window_width = 1600;
+    int window_height = 900;
+};
+
+using Invocation = std::variant<std::function<Status()>, EditorRequest, ExitStatus>;
 
 /// Reads the command line. Help goes to the standard output, wrong usage to the standard error
 /// stream as one line.
