@@ -280,9 +280,4 @@ Real3 sample_ggx_half_vector(Real2 u, Real alpha) {
     return direction_about_z(sqrt(max(cosine2, 0.0f)), u.x);
 }
 
-/// A direction with the density (n.l) / pi.
-Real3 sample_cosine_hemisphere(Real2 u) {
-    return direction_about_z(sqrt(1.0f - u.y), u.x);
-}
-
 #endif

@@ -91,8 +91,8 @@ Real2 split_sum_sample(int geometry, Real2 u, Real n_dot_v, Real alpha) {
     return Real2((1.0f - grazing) * weight, grazing * weight);
 }
 
-// The levels of a prefiltered cube are spread so that smooth surfaces, where the eye sees steps, have
-// more of them: level share t = r (3 - r) / 2 of roughness r, both 0..1, and its inverse.
+// The levels of a prefiltered cube are spread so that smooth surfaces, where the eye sees steps,
+// have more of them: level share t = r (3 - r) / 2 of roughness r, both 0..1, and its inverse.
 
 /// Where a roughness lies among the levels: 0 the sharp one, 1 the last.
 Real prefiltered_level_share(Real roughness) {

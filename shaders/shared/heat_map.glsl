@@ -2,10 +2,9 @@
 #ifndef SHARED_HEAT_MAP_GLSL
 #define SHARED_HEAT_MAP_GLSL
 
-/// Inferno of matplotlib (Nathaniel Smith and Stefan van der Walt, 2015, CC0): black over purple and
-/// orange to pale yellow, even in lightness. sRGB-encoded. This fit by a polynomial of degree six:
-/// Matt Zucker, 2019. Within 0.03 of the table.
-/// x: 0..1
+/// Inferno of matplotlib (Nathaniel Smith and Stefan van der Walt, 2015, CC0): black over purple
+/// and orange to pale yellow, even in lightness. sRGB-encoded. This fit by a polynomial of degree
+/// six: Matt Zucker, 2019. Within 0.03 of the table. x: 0..1
 Real3 heat_map_inferno(Real x) {
     Real3 c = Real3(25.13112622f, -12.24266895f, -23.07032500f);
     c = c * x + Real3(-71.31942824f, 32.62606426f, 73.20951985f);

@@ -91,9 +91,4 @@ PhongMaterial blinn_phong_material(Real3 base_color, Real metalness, Real roughn
     return material;
 }
 
-/// Light sent to the eye by one light of the given irradiance / pi, with either lobe.
-Real3 phong_reflected(PhongMaterial material, Real3 light, Real n_dot_l, Real lobe) {
-    return light * (material.diffuse * max(n_dot_l, 0.0f) + material.specular * lobe);
-}
-
 #endif

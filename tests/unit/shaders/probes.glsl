@@ -10,6 +10,7 @@
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
 #include "shared/environment.glsl"
+#include "shared/heat_map.glsl"
 #include "shared/height.glsl"
 #include "shared/mask.glsl"
 #include "shared/noise.glsl"
@@ -47,7 +48,7 @@ Real4 probe_blend(int which, Real4 a, Real4 b) {
         return Real4(blend_darken(a.x, b.x), blend_lighten(a.x, b.x), blend_difference(a.x, b.x),
                      over_coverage(a.x, b.x));
     return Real4(over_premultiplied(a.x, a.y, b.x, b.y, b.z), unpremultiplied(a.x, b.x),
-                 over_opaque(a.x, b.x, b.y), 0.0f);
+                 over_opaque(a.x, b.x, b.y), luminance(srgb_from_linear(Real3(a.x, a.y, a.z))));
 }
 
 Real4 probe_surface(int which, Real4 a, Real4 b) {
@@ -88,7 +89,7 @@ Real4 probe_noise(int which, Real4 a, Real4 b) {
     Real2 position = Real2(a.x * 40.0f - 8.0f, b.x * 40.0f - 8.0f);
     if (which == 0)
         return Real4(value_noise(position, 16, 1u), perlin_noise(position, 16, 2u),
-                     worley_noise(position, 16, 3u), 0.0f);
+                     worley_noise(position, 16, 3u), noise(NOISE_PERLIN, position, 5, 9u));
     return Real4(fbm(NOISE_VALUE, position, 7, 4u, 4, 0.5f, 0.0f),
                  fbm(NOISE_PERLIN, position, 16, 5u, 5, 0.6f, 0.05f),
                  fbm(NOISE_WORLEY, position, 3, 6u, 3, 0.5f, 0.1f), 0.0f);
@@ -127,10 +128,11 @@ Real4 probe_phong(int which, Real4 a, Real4 b) {
         // Exponents grow without end as roughness falls: compare what they are used for.
         PhongMaterial phong = phong_material(base, a.x, a.y * 0.9f + 0.1f, base);
         PhongMaterial blinn = blinn_phong_material(base, a.x, a.y * 0.9f + 0.1f, base);
-        return Real4(phong_reflected(phong, Real3(1.0f), a.z,
-                                     phong_lobe(0.9f + 0.1f * b.w, a.z, phong.exponent)),
-                     blinn_phong_lobe(0.9f + 0.1f * b.w, a.z, blinn.exponent));
+        return Real4(phong_lobe(0.9f + 0.1f * b.w, a.z, phong.exponent),
+                     blinn_phong_lobe(0.9f + 0.1f * b.w, a.z, blinn.exponent), phong.diffuse.x,
+                     blinn.specular.y);
     }
+    if (which == 6) return Real4(heat_map_inferno(a.x), 0.0f);
     Real3 color = Real3(a.x, a.y, a.z) * (b.w * 4.0f);
     return Real4(tone_map(which - 1, color), 0.0f);
 }
@@ -152,7 +154,8 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
     Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
     Real2 table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
                                    alpha_from_roughness(0.2f + 0.8f * b.y));
-    return Real4(table.x, table.y, sample_cosine_hemisphere(point).z, point.y);
+    Real level = prefiltered_level_share(b.z);
+    return Real4(table.x, table.y, point.y, prefiltered_roughness(level) + level);
 }
 
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
@@ -162,8 +165,8 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 14) return probe_number(which - 12, a, b);
     if (which < 16) return probe_noise(which - 14, a, b);
     if (which < 20) return probe_light(which - 16, a, b);
-    if (which < 26) return probe_phong(which - 20, a, b);
-    if (which < 29) return probe_environment(which - 26, a, b);
+    if (which < 27) return probe_phong(which - 20, a, b);
+    if (which < 30) return probe_environment(which - 27, a, b);
     return Real4(-1.0f);
 }
 
