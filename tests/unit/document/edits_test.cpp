@@ -311,12 +311,12 @@ TEST(Edits, BlendModesHaveToSuitTheChannel) {
     EXPECT_NE(sample.refusal(set_channel_mode(material, layer, Channel::Normal, BlendMode::Screen)),
               "");
     sample.apply(set_channel_mode(material, layer, Channel::Height, BlendMode::HeightMax));
-    EXPECT_EQ(effective_blend_mode(sample.layer("Verdigris"), Channel::Height),
-              BlendMode::HeightMax);
-    EXPECT_EQ(effective_blend_mode(layer, Channel::BaseColor), BlendMode::Multiply);
-    EXPECT_EQ(effective_blend_mode(layer, Channel::Roughness), BlendMode::Normal);
-    EXPECT_EQ(effective_blend_mode(layer, Channel::Occlusion), BlendMode::Multiply);
-    EXPECT_EQ(effective_blend_mode(layer, Channel::Normal), BlendMode::NormalRnm);
+    const Layer& after = sample.layer("Verdigris");
+    EXPECT_EQ(effective_blend_mode(after, Channel::Height), BlendMode::HeightMax);
+    EXPECT_EQ(effective_blend_mode(after, Channel::BaseColor), BlendMode::Multiply);
+    EXPECT_EQ(effective_blend_mode(after, Channel::Roughness), BlendMode::Normal);
+    EXPECT_EQ(effective_blend_mode(after, Channel::Occlusion), BlendMode::Multiply);
+    EXPECT_EQ(effective_blend_mode(after, Channel::Normal), BlendMode::NormalRnm);
 }
 
 TEST(Edits, ConstantsAreKeptInOneForm) {
