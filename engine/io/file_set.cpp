@@ -62,6 +62,24 @@ Status write_files(const std::vector<SideFile>& side_files, const std::filesyste
     return status;
 }
 
+Status keep_previous_version(const std::filesystem::path& path) {
+    std::error_code error;
+    const auto target = std::filesystem::canonical(path, error);
+    if (error || !std::filesystem::is_regular_file(target, error)) return {};
+    std::filesystem::path kept = target, temporary = target;
+    kept += "~";
+    temporary += ".keep~";
+    std::filesystem::remove(temporary, error);
+    std::filesystem::create_hard_link(target, temporary, error);
+    if (error) std::filesystem::copy_file(target, temporary, error);
+    if (!error) std::filesystem::rename(temporary, kept, error);
+    if (!error) return {};
+    const std::string reason = error.message();
+    std::filesystem::remove(temporary, error);
+    return failure("{}: cannot keep the previous version: {}", quoted_for_message(kept.string()),
+                   reason);
+}
+
 std::vector<std::string> owned_files_of(const std::filesystem::path& path) {
     std::vector<std::string> names;
     if (path.extension() != ".gltf") return names;

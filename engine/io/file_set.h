@@ -25,6 +25,10 @@ struct SideFile {
 Status write_files(const std::vector<SideFile>& side_files, const std::filesystem::path& main,
                    std::span<const std::span<const std::byte>> pieces);
 
+/// Keeps the file at `path`, if there is one, under its name with a "~" behind it, in the place of
+/// what had that name. Without copying, where the file system can give a file two names.
+Status keep_previous_version(const std::filesystem::path& path);
+
 /// Names of the external image files that the .gltf at `path` lists as Patina's own; none where
 /// there is no such file. Only names with the hash of their content in them count.
 std::vector<std::string> owned_files_of(const std::filesystem::path& path);

@@ -248,25 +248,31 @@ class Saver {
         const bool in_place = !document_.source->path.empty() &&
                               document_.source->container == source.container &&
                               same_folder(document_.source->path, path_);
-        if (in_place) return {};
         for (const char* array : {"buffers", "images"})
             for (Json& item : gltf.array(array)) {
                 const auto file = source.external_files.find(text_at(item, "uri"));
                 if (file == source.external_files.end() || !file->second) continue;
                 const auto relative = relative_path_of_uri(file->first);
                 if (!relative) return failure("{}: {}", shown(path_), relative.error().message);
-                auto target = path_.parent_path() / *relative;
-                if (is_another_file(target, *file->second)) {
-                    const std::filesystem::path safe(safe_file_name(relative->filename().string()));
-                    const auto name =
-                        fmt::format("{}-{}{}", safe.stem().string().substr(0, 60),
-                                    to_hex(hash_bytes(*file->second)), safe.extension().string());
-                    item["uri"] = name;
-                    target = path_.parent_path() / name;
-                }
-                side_files_.push_back({target, file->second});
+                const auto target = path_.parent_path() / *relative;
+                std::error_code error;
+                // An earlier save may have deleted what it superseded and is wanted again.
+                if (in_place && std::filesystem::exists(target, error)) continue;
+                if (is_another_file(target, *file->second))
+                    item["uri"] = add_under_hashed_name(*relative, file->second);
+                else
+                    side_files_.push_back({target, file->second});
             }
         return {};
+    }
+
+    std::string add_under_hashed_name(const std::filesystem::path& relative,
+                                      std::shared_ptr<const Bytes> bytes) {
+        const std::filesystem::path safe(safe_file_name(relative.filename().string()));
+        std::string name = fmt::format("{}-{}{}", safe.stem().string().substr(0, 60),
+                                       to_hex(hash_bytes(*bytes)), safe.extension().string());
+        side_files_.push_back({path_.parent_path() / name, std::move(bytes)});
+        return name;
     }
 
     static bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -286,6 +292,8 @@ class Saver {
     }
 
     Status write(const std::vector<std::span<const std::byte>>& pieces) {
+        if (options_.keep_previous)
+            if (const Status kept = keep_previous_version(path_); !kept) return kept;
         const std::vector<std::string> superseded = owned_files_of(path_);
         const Status written = write_files(side_files_, path_, pieces);
         if (!written) return written;

@@ -17,10 +17,12 @@ namespace patina::io {
 
 struct SaveOptions {
     /// Overrides every edited material's resolution (`bake --size`).
-    std::optional<int> size;
+    std::optional<int> size = std::nullopt;
     /// Also writes each baked map here as its own file, MATERIAL_MAP.png or .tif.
-    std::filesystem::path maps_folder;
+    std::filesystem::path maps_folder = {};
     std::string map_format = "png";  ///< "png" or "tif"
+    /// Keeps the file that was there as `path` with a "~" behind it (the editor: once a session).
+    bool keep_previous = false;
 };
 
 struct SaveReport {

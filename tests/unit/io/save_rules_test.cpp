@@ -178,6 +178,37 @@ TEST_F(Save, TheEnvironmentComesBackAndEveryMaterialKeepsItsBytes) {
     EXPECT_TRUE(serialise(*loaded(path).document) == serialise(edited));
 }
 
+TEST_F(Save, AnUndoneEditOfASavedGltfFindsTheMapsAgainThatASaveHadReplaced) {
+    const auto document = quad(true);
+    const auto path = folder_ / "a.gltf";
+    saved(with_noise_layer(*document.document, 0, 1), *document.images, path);
+    const auto before = read_file(path).value();
+    const std::size_t files = files_in(folder_);
+    const auto reopened = loaded(path);
+    saved(with_base_color(with_noise_layer(*reopened.document, 0, 5), noise(9)), *reopened.images,
+          path);
+    EXPECT_EQ(files_in(folder_), files) << "the replaced maps are gone";
+    saved(*reopened.document, *reopened.images, path);
+    EXPECT_TRUE(read_file(path).value() == before);
+    EXPECT_EQ(files_in(folder_), files);
+    EXPECT_TRUE(serialise(*loaded(path).document) == serialise(*reopened.document));
+}
+
+TEST_F(Save, ThePreviousVersionIsKeptWhenAskedFor) {
+    const auto document = quad(true);
+    const auto path = folder_ / "a.glb";
+    saved(*document.document, *document.images, path, {.keep_previous = true});
+    EXPECT_EQ(files_in(folder_), 1u);
+    const auto before = read_file(path).value();
+    for (std::uint32_t seed = 1; seed < 3; ++seed) {
+        const auto previous = read_file(path).value();
+        saved(with_noise_layer(*document.document, 0, seed), *document.images, path,
+              {.keep_previous = true});
+        EXPECT_TRUE(read_file(folder_ / "a.glb~").value() == previous);
+    }
+    EXPECT_EQ(files_in(folder_), 2u);
+}
+
 TEST(GlbPieces, MoreThanFourGibibytesAreRefused) {
     // One MiB that is named 4 096 times.
     const Bytes mebibyte(std::size_t{1} << 20);
