@@ -35,11 +35,12 @@ GLenum component_type(ComponentType type) {
 
 void enable(const VertexAttribute& attribute, std::size_t stride_bytes) {
     const auto location = static_cast<GLuint>(attribute.location);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
+    const auto* offset = reinterpret_cast<const void*>(attribute.offset_bytes);
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, attribute.components, component_type(attribute.type),
                           attribute.type == ComponentType::Float ? GL_FALSE : GL_TRUE,
-                          static_cast<GLsizei>(stride_bytes),
-                          reinterpret_cast<const void*>(attribute.offset_bytes));
+                          static_cast<GLsizei>(stride_bytes), offset);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ struct HeadlessContext::Parts {
     EGLContext context = EGL_NO_CONTEXT;
     std::optional<DebugOutput> debug_output;
 
-    Parts(EGLDisplay display_, EGLContext context_) : display(display_), context(context_) {}
+    Parts(EGLDisplay on_display, EGLContext of_context)
+        : display(on_display), context(of_context) {}
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
     ~Parts() {

@@ -135,9 +135,11 @@ void Pass::draw(const Program& program, const VertexArray& vertices, const DrawR
     glUseProgram(program.name());
     glBindVertexArray(vertices.name());
     if (vertices.indexed()) {
-        const auto offset = static_cast<std::size_t>(range.first) * sizeof(std::uint32_t);
-        glDrawElementsInstanced(primitive(range.topology), range.count, GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(offset), range.instances);
+        const auto offset_bytes = static_cast<std::size_t>(range.first) * sizeof(std::uint32_t);
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
+        const auto* offset = reinterpret_cast<const void*>(offset_bytes);
+        glDrawElementsInstanced(primitive(range.topology), range.count, GL_UNSIGNED_INT, offset,
+                                range.instances);
     } else {
         glDrawArraysInstanced(primitive(range.topology), range.first, range.count, range.instances);
     }

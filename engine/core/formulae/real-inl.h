@@ -38,7 +38,7 @@ struct Int {
     hn::Vec<IntLanes> lanes;
     Int() = default;
     HWY_INLINE Int(std::int32_t uniform) : lanes(hn::Set(IntLanes(), uniform)) {}
-    HWY_INLINE explicit Int(hn::Vec<IntLanes> lanes_) : lanes(lanes_) {}
+    HWY_INLINE explicit Int(hn::Vec<IntLanes> vector) : lanes(vector) {}
     HWY_INLINE explicit Int(Uint wrapped);
     HWY_INLINE explicit Int(struct Real truncated);
 };
@@ -47,7 +47,7 @@ struct Uint {
     hn::Vec<UintLanes> lanes;
     Uint() = default;
     HWY_INLINE Uint(std::uint32_t uniform) : lanes(hn::Set(UintLanes(), uniform)) {}
-    HWY_INLINE explicit Uint(hn::Vec<UintLanes> lanes_) : lanes(lanes_) {}
+    HWY_INLINE explicit Uint(hn::Vec<UintLanes> vector) : lanes(vector) {}
     HWY_INLINE explicit Uint(Int wrapped) : lanes(hn::BitCast(UintLanes(), wrapped.lanes)) {}
 };
 
@@ -55,7 +55,7 @@ struct Real {
     hn::Vec<RealLanes> lanes;
     Real() = default;
     HWY_INLINE Real(float uniform) : lanes(hn::Set(RealLanes(), uniform)) {}
-    HWY_INLINE explicit Real(hn::Vec<RealLanes> lanes_) : lanes(lanes_) {}
+    HWY_INLINE explicit Real(hn::Vec<RealLanes> vector) : lanes(vector) {}
     HWY_INLINE explicit Real(Int exact) : lanes(hn::ConvertTo(RealLanes(), exact.lanes)) {}
     HWY_INLINE Real& operator+=(Real b);
     HWY_INLINE Real& operator*=(Real b);
@@ -217,9 +217,11 @@ HWY_INLINE Real floor(Real x) {
 HWY_INLINE Real sqrt(Real x) {
     return Real(hn::Sqrt(x.lanes));
 }
+// NOLINTNEXTLINE(readability-identifier-naming): the name is GLSL's
 HWY_INLINE Int floatBitsToInt(Real x) {
     return Int(hn::BitCast(IntLanes(), x.lanes));
 }
+// NOLINTNEXTLINE(readability-identifier-naming): the name is GLSL's
 HWY_INLINE Real intBitsToFloat(Int bits) {
     return Real(hn::BitCast(RealLanes(), bits.lanes));
 }

@@ -52,11 +52,13 @@ inline float sqrt(float x) {
     return std::sqrt(x);
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name is GLSL's
 inline Int floatBitsToInt(float x) {
     Int bits = 0;
     std::memcpy(&bits, &x, sizeof bits);
     return bits;
 }
+// NOLINTNEXTLINE(readability-identifier-naming): the name is GLSL's
 inline float intBitsToFloat(Int bits) {
     float x = 0.0f;
     std::memcpy(&x, &bits, sizeof x);

@@ -27,23 +27,24 @@ struct Real2 {
     Real x, y;
     Real2() = default;
     FORMULAE_INLINE explicit Real2(Real all) : x(all), y(all) {}
-    FORMULAE_INLINE Real2(Real x_, Real y_) : x(x_), y(y_) {}
+    FORMULAE_INLINE Real2(Real in_x, Real in_y) : x(in_x), y(in_y) {}
 };
 
 struct Real3 {
     Real x, y, z;
     Real3() = default;
     FORMULAE_INLINE explicit Real3(Real all) : x(all), y(all), z(all) {}
-    FORMULAE_INLINE Real3(Real x_, Real y_, Real z_) : x(x_), y(y_), z(z_) {}
-    FORMULAE_INLINE Real3(Real2 xy, Real z_) : x(xy.x), y(xy.y), z(z_) {}
+    FORMULAE_INLINE Real3(Real in_x, Real in_y, Real in_z) : x(in_x), y(in_y), z(in_z) {}
+    FORMULAE_INLINE Real3(Real2 xy, Real in_z) : x(xy.x), y(xy.y), z(in_z) {}
 };
 
 struct Real4 {
     Real x, y, z, w;
     Real4() = default;
     FORMULAE_INLINE explicit Real4(Real all) : x(all), y(all), z(all), w(all) {}
-    FORMULAE_INLINE Real4(Real x_, Real y_, Real z_, Real w_) : x(x_), y(y_), z(z_), w(w_) {}
-    FORMULAE_INLINE Real4(Real3 xyz, Real w_) : x(xyz.x), y(xyz.y), z(xyz.z), w(w_) {}
+    FORMULAE_INLINE Real4(Real in_x, Real in_y, Real in_z, Real in_w)
+        : x(in_x), y(in_y), z(in_z), w(in_w) {}
+    FORMULAE_INLINE Real4(Real3 xyz, Real in_w) : x(xyz.x), y(xyz.y), z(xyz.z), w(in_w) {}
 };
 
 // Operators of vectors, component by component, as in GLSL.
