@@ -7,6 +7,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "render/window_target.h"
@@ -15,10 +17,20 @@ namespace patina::editor {
 
 namespace {
 
+/// A key or a letter that has not been given to Dear ImGui yet.
+struct Typed {
+    int key = 0;
+    int scancode = 0;
+    int action = 0;
+    int modifiers = 0;
+    unsigned letter = 0;  ///< set: a letter, not a key
+};
+
 /// What GLFW's callbacks find through the window.
 struct Events {
     bool input = true;
     std::vector<std::filesystem::path> dropped;
+    std::deque<Typed> typed;
 };
 
 }  // namespace
@@ -67,15 +79,33 @@ void mark_input(GLFWwindow* handle) {
     events_of(handle).input = true;
 }
 
-/// Installed before Dear ImGui's, which calls them on.
+/// The pointer goes to Dear ImGui at once, keys and letters by feed_typed().
 void install_callbacks(GLFWwindow* handle) {
     glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double, double) { mark_input(w); });
-    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int, int, int) { mark_input(w); });
-    glfwSetScrollCallback(handle, [](GLFWwindow* w, double, double) { mark_input(w); });
-    glfwSetKeyCallback(handle, [](GLFWwindow* w, int, int, int, int) { mark_input(w); });
-    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned) { mark_input(w); });
-    glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int) { mark_input(w); });
-    glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int) { mark_input(w); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int modifiers) {
+        mark_input(w);
+        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* w, double x, double y) {
+        mark_input(w);
+        ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int code, int action, int modifiers) {
+        mark_input(w);
+        events_of(w).typed.push_back({key, code, action, modifiers, 0});
+    });
+    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned letter) {
+        mark_input(w);
+        events_of(w).typed.push_back({.letter = letter});
+    });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int entered) {
+        mark_input(w);
+        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int focused) {
+        mark_input(w);
+        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* w, int, int) { mark_input(w); });
     glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) { mark_input(w); });
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { mark_input(w); });
@@ -83,6 +113,24 @@ void install_callbacks(GLFWwindow* handle) {
         for (int i = 0; i < count; ++i) events_of(w).dropped.emplace_back(paths[i]);
         mark_input(w);
     });
+}
+
+/// Dear ImGui 1.86 sees keys only as they are when a frame begins: one that went down and up since
+/// the last frame would be lost. So a frame gets what was typed up to the second change of one key.
+void feed_typed(GLFWwindow* handle, std::deque<Typed>& typed) {
+    std::vector<int> changed;
+    while (!typed.empty()) {
+        const Typed next = typed.front();
+        if (next.letter != 0) {
+            ImGui_ImplGlfw_CharCallback(handle, next.letter);
+        } else {
+            if (std::find(changed.begin(), changed.end(), next.key) != changed.end()) return;
+            changed.push_back(next.key);
+            ImGui_ImplGlfw_KeyCallback(handle, next.key, next.scancode, next.action,
+                                       next.modifiers);
+        }
+        typed.pop_front();
+    }
 }
 
 }  // namespace
@@ -109,7 +157,7 @@ Result<Window> Window::open(const Description& description) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    if (!ImGui_ImplGlfw_InitForOpenGL(state->handle, true) ||
+    if (!ImGui_ImplGlfw_InitForOpenGL(state->handle, false) ||
         !ImGui_ImplOpenGL3_Init("#version 410 core"))
         return failure("Dear ImGui did not start on this OpenGL; update the graphics driver");
     return Window(std::move(state));
@@ -152,7 +200,7 @@ float Window::content_scale() const {
 }
 
 bool Window::take_input() {
-    return std::exchange(state_->events.input, false);
+    return std::exchange(state_->events.input, false) || !state_->events.typed.empty();
 }
 
 std::vector<std::filesystem::path> Window::take_dropped() {
@@ -162,6 +210,7 @@ std::vector<std::filesystem::path> Window::take_dropped() {
 void Window::begin_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    feed_typed(state_->handle, state_->events.typed);
     ImGui::NewFrame();
 }
 
