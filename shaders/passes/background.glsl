@@ -34,9 +34,11 @@ vec3 studio_backdrop(vec2 pixel) {
     Ray ray = ray_through(pixel);
     vec3 wall = mix(vec3(0.036, 0.036, 0.037), vec3(0.0135, 0.0138, 0.0148),
                     smoothstep(-0.12, 0.4, ray.direction.y));
-    float travel = (floor_center.y - ray.origin.y) / min(ray.direction.y, -1e-4);
+    float height = floor_center.y - ray.origin.y;
     vec3 backdrop = wall;
-    if (ray.direction.y < 0.0 && travel > 0.0) {
+    // Every ray that goes down from above the floor meets it, before the near plane maybe.
+    if (ray.direction.y < 0.0 && camera_position.y > floor_center.y) {
+        float travel = height / min(ray.direction.y, -1e-4);
         vec3 point = ray.origin + travel * ray.direction;
         float distance_in_radii = length(point.xz - floor_center.xz) / floor_radius;
         vec3 floor_tone = vec3(0.064) * contact_light(point);

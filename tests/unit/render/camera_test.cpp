@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+
+namespace patina::render {
+namespace {
+
+const Bounds kBox = {.low = {-1.0f, 0.0f, -0.5f}, .high = {2.0f, 1.5f, 0.5f}};
+
+glm::vec3 clip_position(const Camera& camera, const Bounds& bounds, float aspect,
+                        const glm::vec3& world) {
+    const glm::vec4 clip = clip_from_view(camera, aspect, depth_range(camera, bounds)) *
+                           view_from_world(camera) * glm::vec4(world, 1.0f);
+    return glm::vec3(clip) / clip.w;
+}
+
+TEST(Camera, FramingShowsEveryCornerFromEveryDirection) {
+    for (const ViewDirection direction :
+         {ViewDirection::ThreeQuarter, ViewDirection::Front, ViewDirection::Back,
+          ViewDirection::Left, ViewDirection::Right, ViewDirection::Top, ViewDirection::Bottom})
+        for (const float aspect : {0.5f, 1.0f, 16.0f / 9.0f}) {
+            const Camera camera = framed(kBox, aspect, direction);
+            float reach = 0.0f;
+            for (unsigned i = 0; i < 8; ++i) {
+                const glm::vec3 corner((i & 1u) != 0 ? kBox.high.x : kBox.low.x,
+                                       (i & 2u) != 0 ? kBox.high.y : kBox.low.y,
+                                       (i & 4u) != 0 ? kBox.high.z : kBox.low.z);
+                const glm::vec3 clip = clip_position(camera, kBox, aspect, corner);
+                EXPECT_LE(std::abs(clip.z), 1.0f);
+                reach = std::max({reach, std::abs(clip.x), std::abs(clip.y)});
+            }
+            EXPECT_LE(reach, 0.92f);
+            EXPECT_GE(reach, 0.85f) << "no larger margin than needed";
+        }
+}
+
+TEST(Camera, FrontLooksAlongMinusZWithYUp) {
+    const Camera camera = framed(kBox, 1.0f, ViewDirection::Front);
+    const glm::vec3 right =
+        clip_position(camera, kBox, 1.0f, kBox.center() + glm::vec3(0.1f, 0, 0));
+    const glm::vec3 above =
+        clip_position(camera, kBox, 1.0f, kBox.center() + glm::vec3(0, 0.1f, 0));
+    EXPECT_GT(right.x, 0.0f);
+    EXPECT_NEAR(right.y, 0.0f, 1e-5f);
+    EXPECT_GT(above.y, 0.0f);
+    EXPECT_GT(camera.position.z, kBox.high.z);
+}
+
+TEST(Camera, OrbitKeepsTheDistanceToTheTarget) {
+    rc::prop("distance is kept", [] {
+        const Camera before = framed(kBox, 1.0f);
+        const auto degrees = [] { return static_cast<float>(*rc::gen::inRange(-400, 400)); };
+        const Camera after = orbited(before, degrees(), degrees());
+        RC_ASSERT(std::abs(glm::distance(after.position, after.target) -
+                           glm::distance(before.position, before.target)) < 1e-4f);
+        RC_ASSERT(after.target == before.target);
+    });
+}
+
+TEST(Camera, OrbitByPositiveYawGoesCounterClockwiseFromAbove) {
+    const Camera front = framed(kBox, 1.0f, ViewDirection::Front);
+    EXPECT_GT(orbited(front, 90.0f, 0.0f).position.x, kBox.high.x);
+}
+
+TEST(Camera, OrbitStopsShortOfThePoles) {
+    const Camera camera = orbited(framed(kBox, 1.0f), 0.0f, 500.0f);
+    const glm::vec3 offset = glm::normalize(camera.position - camera.target);
+    EXPECT_GT(offset.y, 0.99f);
+    EXPECT_LT(offset.y, 1.0f);
+}
+
+TEST(Camera, PannedByHalfTheHeightPutsTheOldTargetAtTheEdge) {
+    const Camera before = framed(kBox, 1.0f, ViewDirection::Front);
+    const Camera after = panned(before, 0.0f, 0.5f);
+    EXPECT_NEAR(clip_position(after, kBox, 1.0f, before.target).y, 1.0f, 1e-4f);
+}
+
+TEST(Camera, OneDollyStepHalvesTheDistance) {
+    const Camera before = framed(kBox, 1.0f);
+    const Camera after = dollied(before, 1.0f);
+    EXPECT_NEAR(glm::distance(after.position, after.target),
+                0.5f * glm::distance(before.position, before.target), 1e-5f);
+}
+
+TEST(Camera, EmptyBoundsAreFramedAsAUnitBall) {
+    EXPECT_EQ(framed(Bounds{}, 1.0f).target, glm::vec3(0.0f));
+    EXPECT_GT(glm::length(framed(Bounds{}, 1.0f).position), 1.0f);
+}
+
+}  // namespace
+}  // namespace patina::render

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+
+/// Light on surfaces: the passes against the shared formulae on the CPU, and what must hold.
+
+#include <cmath>
+
+#include "core/formulae/formulae.h"
+#include "render/render_test.h"
+
+namespace patina::render {
+namespace {
+
+class ShadingTest : public RenderTest {
+  protected:
+    /// One lamp in a black room.
+    void light_by(const Light& light) {
+        view_.environment_intensity = 0.0f;
+        view_.lights = {light};
+    }
+};
+
+formulae::Real3 real3(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+glm::vec3 vec3(const formulae::Real3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// The relative error that half floats and 8-bit base colours leave.
+constexpr float kTolerance = 0.02f;
+
+Light slanted_sun() {
+    return {.color_linear = {1.0f, 0.5f, 0.25f},
+            .intensity = 3.0f,
+            .direction_world = glm::normalize(glm::vec3(-1.0f, -2.0f, -2.0f))};
+}
+
+TEST_F(ShadingTest, EveryCombinationOfTermsIsTheSharedFormulaOnTheCpu) {
+    const glm::vec3 base(0.8f, 0.4f, 0.2f);
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(base, 0.4f, 0.5f)));
+    light_by(slanted_sun());
+    const glm::vec3 position = middle(ChannelView::Position);
+    const glm::vec3 n = middle(ChannelView::NormalWorld);
+    const glm::vec3 f0 = middle(ChannelView::F0);
+    const glm::vec3 base_seen = middle(ChannelView::BaseColor);
+    const glm::vec3 v = glm::normalize(view_.camera.position - position);
+    const glm::vec3 l = -view_.lights[0].direction_world;
+    const formulae::ReflectionAngles angles =
+        formulae::reflection_angles(real3(n), real3(v), real3(l));
+    const glm::vec3 received =
+        view_.lights[0].color_linear * view_.lights[0].intensity * angles.n_dot_l;
+    for (const auto& d : kDistributionTerms)
+        for (const auto& g : kGeometryTerms)
+            for (const auto& f : kFresnelTerms)
+                for (const auto& diffuse : kDiffuseTerms) {
+                    view_.left.terms = {d.value, g.value, f.value, diffuse.value, false};
+                    const formulae::BrdfTerms terms = {
+                        static_cast<int>(d.value), static_cast<int>(g.value),
+                        static_cast<int>(f.value), static_cast<int>(diffuse.value)};
+                    const glm::vec3 specular =
+                        received *
+                        vec3(formulae::brdf_specular(terms, angles, real3(f0), 1.0f, 0.5f));
+                    const glm::vec3 scattered =
+                        received *
+                        vec3(formulae::brdf_diffuse(terms, angles, real3(base_seen * 0.6f),
+                                                    formulae::Real3(0.04f), 1.0f, 0.5f));
+                    const glm::vec3 final_picture = middle(ChannelView::Final);
+                    for (int c = 0; c < 3; ++c)
+                        EXPECT_NEAR(final_picture[c] / (specular[c] + scattered[c]), 1.0f,
+                                    kTolerance)
+                            << d.id << " " << g.id << " " << f.id << " " << diffuse.id;
+                }
+}
+
+TEST_F(ShadingTest, TheTermsAloneAreThoseOfTheKeyLight) {
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 1.0f, 0.6f)));
+    light_by(slanted_sun());
+    const glm::vec3 n = middle(ChannelView::NormalWorld);
+    const glm::vec3 v = glm::normalize(view_.camera.position - middle(ChannelView::Position));
+    const formulae::ReflectionAngles angles =
+        formulae::reflection_angles(real3(n), real3(v), real3(-view_.lights[0].direction_world));
+    EXPECT_NEAR(middle(ChannelView::DistributionTerm).x,
+                formulae::distribution_ggx(angles.n_dot_h, 0.36f), 0.01f);
+    const float g = 4.0f * angles.n_dot_l * angles.n_dot_v *
+                    formulae::visibility_smith_separable(angles.n_dot_l, angles.n_dot_v, 0.36f);
+    EXPECT_NEAR(middle(ChannelView::GeometryTerm).x, g, 0.005f);
+    EXPECT_LE(middle(ChannelView::GeometryTerm).x, 1.0f);
+    EXPECT_GE(middle(ChannelView::FresnelTerm).x, 0.49f);
+}
+
+TEST_F(ShadingTest, ThePartsOfTheLightAddUpToThePicture) {
+    ASSERT_TRUE(renderer().set_environment(filtered_builtin("studio")));
+    ASSERT_TRUE(renderer().set_material(0, constant_surface({0.8f, 0.4f, 0.2f}, 0.3f, 0.4f)));
+    view_.lights = {slanted_sun()};
+    for (const auto& model : kShadingModels) {
+        view_.left.model = model.value;
+        const glm::vec3 sum =
+            middle(ChannelView::DiffuseDirect) + middle(ChannelView::SpecularDirect) +
+            middle(ChannelView::DiffuseAmbient) + middle(ChannelView::SpecularAmbient);
+        const glm::vec3 whole = middle(ChannelView::Final);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], whole[c], 1e-4f) << model.id;
+    }
+}
+
+TEST_F(ShadingTest, AWhiteNonMetalInUniformLightLosesNothing) {
+    for (const float roughness : {0.0f, 0.3f, 0.7f, 1.0f}) {
+        ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 0.0f, roughness)));
+        const Image picture = channel(ChannelView::Final);
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x)
+                if (pixel_of(picture, x, y).a > 0.0f)
+                    ASSERT_NEAR(pixel_of(picture, x, y).g, 1.0f, 0.01f) << x << " " << y;
+    }
+}
+
+TEST_F(ShadingTest, AWhiteMetalLosesOnlyWhatSingleScatteringLosesAndNothingWithCompensation) {
+    for (const float roughness : {0.0f, 0.3f, 0.7f, 1.0f}) {
+        ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 1.0f, roughness)));
+        view_.left.terms.multiple_scattering = false;
+        const float single = middle(ChannelView::Final).g;
+        EXPECT_LE(single, 1.005f);
+        EXPECT_GE(single, roughness < 0.5f ? 0.93f : 0.5f);
+        view_.left.terms.multiple_scattering = true;
+        EXPECT_NEAR(middle(ChannelView::Final).g, 1.0f, 0.01f) << roughness;
+    }
+}
+
+TEST_F(ShadingTest, APointLightFallsOffWithTheSquareOfDistanceAndEndsAtItsRange) {
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 1.0f)));
+    const glm::vec3 front(0.0f, 0.5f, 0.5f);
+    Light lamp{.kind = Light::Kind::Point, .position_world = front + glm::vec3(0, 0, 1)};
+    light_by(lamp);
+    const float near_light = middle(ChannelView::DiffuseDirect).g;
+    view_.lights[0].position_world = front + glm::vec3(0, 0, 2);
+    EXPECT_NEAR(near_light / middle(ChannelView::DiffuseDirect).g, 4.0f, 0.05f);
+    view_.lights[0].range = 1.9f;
+    EXPECT_EQ(middle(ChannelView::DiffuseDirect).g, 0.0f);
+}
+
+TEST_F(ShadingTest, ASpotLightsOnlyItsCone) {
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 1.0f)));
+    light_by({.kind = Light::Kind::Spot,
+              .position_world = {0.0f, 0.5f, 2.5f},
+              .direction_world = {0.0f, 0.0f, -1.0f},
+              .inner_cone_radians = 0.02f,
+              .outer_cone_radians = 0.05f});
+    const Image lit = channel(ChannelView::DiffuseDirect);
+    EXPECT_GT(pixel_of(lit, 32, 32).g, 0.0f);
+    EXPECT_EQ(pixel_of(lit, 44, 32).g, 0.0f);
+}
+
+TEST_F(ShadingTest, TheEnvironmentTurnsCounterClockwiseFromAbove) {
+    // Bright towards +X alone; turned by -90 degrees (clockwise from above) that lies towards +Z.
+    Image map{.width = 64, .height = 32, .channels = 3, .type = SampleType::F32, .data = {}};
+    map.data.resize(map.row_bytes() * 32);
+    const glm::vec3 white(1.0f);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 24; x < 40; ++x)
+            std::memcpy(map.data.data() + static_cast<std::size_t>(y) * map.row_bytes() +
+                            static_cast<std::size_t>(x) * sizeof white,
+                        &white, sizeof white);
+    ASSERT_TRUE(
+        renderer().set_environment(value_of(filter_environment(map, FilterQuality::First))));
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 1.0f, 0.0f)));
+    EXPECT_NEAR(middle(ChannelView::SpecularAmbient).g, 0.0f, 0.02f);
+    view_.environment_rotation_degrees = -90.0f;
+    EXPECT_NEAR(middle(ChannelView::SpecularAmbient).g, 1.0f, 0.02f);
+    view_.environment_rotation_degrees = 90.0f;
+    EXPECT_NEAR(middle(ChannelView::SpecularAmbient).g, 0.0f, 0.02f);
+}
+
+TEST_F(ShadingTest, TheBackgroundShowsTheEnvironmentBehindTheCamerasTarget) {
+    Image map{.width = 64, .height = 32, .channels = 3, .type = SampleType::F32, .data = {}};
+    map.data.resize(map.row_bytes() * 32);
+    // Red towards -Z (u = 0.25), where a front view looks.
+    const glm::vec3 red(1.0f, 0.0f, 0.0f);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 8; x < 24; ++x)
+            std::memcpy(map.data.data() + static_cast<std::size_t>(y) * map.row_bytes() +
+                            static_cast<std::size_t>(x) * sizeof red,
+                        &red, sizeof red);
+    ASSERT_TRUE(
+        renderer().set_environment(value_of(filter_environment(map, FilterQuality::First))));
+    view_.background.kind = Background::Kind::Environment;
+    const glm::vec4 corner = pixel_of(channel(ChannelView::Final), 1, 32);
+    EXPECT_NEAR(corner.r, 1.0f, 0.01f);
+    EXPECT_NEAR(corner.g, 0.0f, 0.01f);
+    EXPECT_EQ(corner.a, 1.0f);
+}
+
+TEST_F(ShadingTest, PhongsHighlightIsAsWideAsThatOfGgxAtHalfItsMaximum) {
+    const float roughness = 0.35f;
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 1.0f, roughness)));
+    light_by({.intensity = 1.0f, .direction_world = {0.0f, 0.0f, -1.0f}});
+    view_.camera.orthographic_height = 1.1f;
+    const auto half_width = [&](ShadingModel model, ChannelView wanted) {
+        view_.left.model = model;
+        const Image lit = channel(wanted);
+        const float peak = pixel_of(lit, 32, 32).g;
+        int x = 32;
+        while (x < kSize.width && pixel_of(lit, x, 32).g > 0.5f * peak) ++x;
+        return x - 32;
+    };
+    const int ggx = half_width(ShadingModel::Pbr, ChannelView::DistributionTerm);
+    EXPECT_NEAR(half_width(ShadingModel::Phong, ChannelView::SpecularDirect), ggx, 1);
+    EXPECT_NEAR(half_width(ShadingModel::BlinnPhong, ChannelView::SpecularDirect), ggx, 1);
+}
+
+TEST_F(ShadingTest, PhongTakesOverridesInPlaceOfTheConversion) {
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 0.3f)));
+    light_by({.intensity = 3.14159265f, .direction_world = {0.0f, 0.0f, -1.0f}});
+    view_.left.model = ShadingModel::Phong;
+    view_.left.phong.specular_color_linear = {0.25f, 0.5f, 0.75f};
+    view_.left.phong.ambient_linear = {0.1f, 0.2f, 0.4f};
+    EXPECT_NEAR(middle(ChannelView::SpecularDirect).b, 0.75f, 0.01f);
+    EXPECT_NEAR(middle(ChannelView::DiffuseAmbient).b, 0.2f, 0.01f);
+    view_.left.phong.exponent = 1.0f;
+    const float broad = pixel_of(channel(ChannelView::SpecularDirect), 44, 32).b;
+    view_.left.phong.exponent = 500.0f;
+    EXPECT_LT(pixel_of(channel(ChannelView::SpecularDirect), 44, 32).b, 0.1f * broad);
+}
+
+TEST_F(ShadingTest, UnlitSurfacesShowTheirBaseColour) {
+    SurfaceMaterial surface = constant_surface({0.2f, 0.4f, 0.6f}, 0.0f, 0.5f);
+    surface.unlit = true;
+    ASSERT_TRUE(renderer().set_material(0, surface));
+    view_.lights = {slanted_sun()};
+    EXPECT_NEAR(middle(ChannelView::Final).b, 0.6f, 0.005f);
+}
+
+TEST_F(ShadingTest, NothingIsInfiniteOrNotANumberAtTheEndsOfEveryRange) {
+    ASSERT_TRUE(renderer().set_environment(filtered_builtin("sky")));
+    view_.background.kind = Background::Kind::Environment;
+    view_.lights = {slanted_sun(), {.kind = Light::Kind::Point, .position_world = {0, 0.5f, 0.5f}}};
+    for (const float roughness : {0.0f, 1.0f})
+        for (const float metalness : {0.0f, 1.0f})
+            for (const glm::vec3 color : {glm::vec3(0.0f), glm::vec3(1.0f)}) {
+                ASSERT_TRUE(
+                    renderer().set_material(0, constant_surface(color, metalness, roughness)));
+                for (const auto& model : kShadingModels) {
+                    view_.left.model = model.value;
+                    const Image picture = channel(ChannelView::Final);
+                    for (int i = 0; i < kSize.width * kSize.height; ++i) {
+                        const glm::vec4 pixel = pixel_of(picture, i % kSize.width, i / kSize.width);
+                        ASSERT_TRUE(std::isfinite(pixel.r + pixel.g + pixel.b)) << model.id;
+                        ASSERT_GE(pixel.g, 0.0f);
+                    }
+                }
+            }
+}
+
+}  // namespace
+}  // namespace patina::render
