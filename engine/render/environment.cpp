@@ -174,10 +174,11 @@ HalfCube filter_specular(const RadianceCube& source, const FilterSettings& setti
     return cube;
 }
 
-/// A texel of a small map as a light: direction, and radiance x solid angle.
+/// A texel of a small map as a light: direction, radiance x solid angle, and solid angle.
 struct TexelLight {
     glm::vec3 direction;
     glm::vec3 power;
+    float solid_angle;
 };
 
 std::vector<TexelLight> texel_lights(const RadianceMap& map) {
@@ -188,7 +189,7 @@ std::vector<TexelLight> texel_lights(const RadianceMap& map) {
             lights.push_back(
                 {direction_at((static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
                               (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height)),
-                 texel_solid_angle(map, y) * map.at(x, y)});
+                 texel_solid_angle(map, y) * map.at(x, y), texel_solid_angle(map, y)});
     return lights;
 }
 
@@ -236,21 +237,19 @@ void split_for_traditional_models(const std::vector<TexelLight>& lights,
     const glm::vec3 mean = total / (4.0f * glm::pi<float>());
     glm::vec3 key(0.0f);
     glm::vec3 direction(0.0f);
-    float cone = 0.0f;
+    float cone_angle = 0.0f;
     for (const TexelLight& light : lights) {
         if (glm::dot(light.direction, axis) <= kKeyConeCosine) continue;
         key += light.power;
         direction += luminance(light.power) * light.direction;
-        cone += luminance(light.power);
+        cone_angle += light.solid_angle;
     }
     // Only what stands out of the mean is a light of its own.
-    const float cone_angle = glm::two_pi<float>() * (1.0f - kKeyConeCosine);
     key = glm::max(key - mean * cone_angle, glm::vec3(0.0f));
     environment.ambient_linear = (total - key) / (4.0f * glm::pi<float>());
     environment.key_irradiance_linear = key;
-    environment.key_direction_world = cone > 0.0f && glm::length(direction) > 0.0f
-                                          ? -glm::normalize(direction)
-                                          : glm::vec3(0.0f, -1.0f, 0.0f);
+    environment.key_direction_world =
+        glm::length(direction) > 0.0f ? -glm::normalize(direction) : glm::vec3(0.0f, -1.0f, 0.0f);
 }
 
 }  // namespace

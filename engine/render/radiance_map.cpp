@@ -102,8 +102,8 @@ glm::vec3 direction_at(float u, float v) {
 }
 
 glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_world) {
-    const auto [u, v] =
-        formulae::equirect_uv({direction_world.x, direction_world.y, direction_world.z});
+    const auto [u, v] = formulae::equirect_uv(
+        {direction_world.x, std::clamp(direction_world.y, -1.0f, 1.0f), direction_world.z});
     const float x = u * static_cast<float>(map.width) - 0.5f;
     const float y = v * static_cast<float>(map.height) - 0.5f;
     const float x_floor = std::floor(x);

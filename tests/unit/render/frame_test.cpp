@@ -129,7 +129,7 @@ TEST_F(FrameTest, BlendedSurfacesAreDrawnFromTheFarthest) {
     scene->meshes[1].primitives[0].source_material = 1;
     // The nearer instance stands first in the file.
     scene->instances.insert(scene->instances.begin(),
-                            {.mesh = 1, .world_from_local = glm::mat4(1.0f)});
+                            {.mesh = 1, .world_from_local = glm::mat4(1.0f), .name = "near"});
     scene->instances[0].world_from_local[3] = glm::vec4(0.0f, 0.0f, 2.0f, 1.0f);
     show(scene);
     ASSERT_TRUE(renderer().set_environment(filtered_builtin("white")));

@@ -118,7 +118,8 @@ TEST_F(GBufferTest, NormalMapsTiltAlongTangentAndBitangent) {
 TEST_F(GBufferTest, AMirroredInstanceKeepsItsOutsideAndMirrorsItsRelief) {
     const Mesh sphere = shape_mesh(Shape::Sphere);
     ASSERT_TRUE(renderer().set_material(0, tilted_surface(0.5f, 0.5f)));
-    const glm::vec3 before = middle(ChannelView::NormalWorld);
+    // The column that mirrors the one right of the middle.
+    const glm::vec3 before(pixel_of(channel(ChannelView::NormalWorld), kSize.width / 2 - 1, 32));
     show(scene_of(sphere, glm::scale(glm::mat4(1.0f), {-1.0f, 1.0f, 1.0f})));
     const glm::vec3 mirrored = middle(ChannelView::NormalWorld);
     EXPECT_GT(covered_pixels(channel(ChannelView::NormalWorld)), 1500);
@@ -254,9 +255,10 @@ TEST_F(GBufferTest, TheProbeSaysWhatTheChannelsShow) {
 TEST_F(GBufferTest, APickNamesInstancePrimitiveAndMaterial) {
     auto scene = std::make_shared<Scene>(*scene_of(shape_mesh(Shape::Sphere)));
     scene->meshes[0].primitives[0].source_material = 7;
-    scene->instances.insert(
-        scene->instances.begin(),
-        {.mesh = 0, .world_from_local = glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -3.0f})});
+    scene->instances.insert(scene->instances.begin(), {.mesh = 0,
+                                                       .world_from_local = glm::translate(
+                                                           glm::mat4(1.0f), {0.0f, 0.0f, -3.0f}),
+                                                       .name = "far"});
     show(scene);
     ASSERT_TRUE(renderer().draw(view_, kSize));
     const std::optional<Pick> pick = renderer().pick({32, 32});

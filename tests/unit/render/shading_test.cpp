@@ -30,7 +30,8 @@ glm::vec3 vec3(const formulae::Real3& v) {
 constexpr float kTolerance = 0.02f;
 
 Light slanted_sun() {
-    return {.color_linear = {1.0f, 0.5f, 0.25f},
+    return {.name = "sun",
+            .color_linear = {1.0f, 0.5f, 0.25f},
             .intensity = 3.0f,
             .direction_world = glm::normalize(glm::vec3(-1.0f, -2.0f, -2.0f))};
 }
@@ -107,9 +108,10 @@ TEST_F(ShadingTest, AWhiteNonMetalInUniformLightLosesNothing) {
         ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 0.0f, roughness)));
         const Image picture = channel(ChannelView::Final);
         for (int y = 0; y < kSize.height; ++y)
-            for (int x = 0; x < kSize.width; ++x)
-                if (pixel_of(picture, x, y).a > 0.0f)
-                    ASSERT_NEAR(pixel_of(picture, x, y).g, 1.0f, 0.01f) << x << " " << y;
+            for (int x = 0; x < kSize.width; ++x) {
+                if (pixel_of(picture, x, y).a == 0.0f) continue;
+                ASSERT_NEAR(pixel_of(picture, x, y).g, 1.0f, 0.01f) << x << " " << y;
+            }
     }
 }
 
@@ -119,7 +121,13 @@ TEST_F(ShadingTest, AWhiteMetalLosesOnlyWhatSingleScatteringLosesAndNothingWithC
         view_.left.terms.multiple_scattering = false;
         const float single = middle(ChannelView::Final).g;
         EXPECT_LE(single, 1.005f);
-        EXPECT_GE(single, roughness < 0.5f ? 0.93f : 0.5f);
+        if (roughness < 0.5f) {
+            EXPECT_GE(single, 0.93f);
+        }
+        // The integral of the separable form head on for alpha 1: 1 - ln 2.
+        if (roughness == 1.0f) {
+            EXPECT_NEAR(single, 0.30685f, 0.015f);
+        }
         view_.left.terms.multiple_scattering = true;
         EXPECT_NEAR(middle(ChannelView::Final).g, 1.0f, 0.01f) << roughness;
     }
@@ -128,7 +136,8 @@ TEST_F(ShadingTest, AWhiteMetalLosesOnlyWhatSingleScatteringLosesAndNothingWithC
 TEST_F(ShadingTest, APointLightFallsOffWithTheSquareOfDistanceAndEndsAtItsRange) {
     ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 1.0f)));
     const glm::vec3 front(0.0f, 0.5f, 0.5f);
-    Light lamp{.kind = Light::Kind::Point, .position_world = front + glm::vec3(0, 0, 1)};
+    Light lamp{
+        .kind = Light::Kind::Point, .name = "lamp", .position_world = front + glm::vec3(0, 0, 1)};
     light_by(lamp);
     const float near_light = middle(ChannelView::DiffuseDirect).g;
     view_.lights[0].position_world = front + glm::vec3(0, 0, 2);
@@ -140,6 +149,7 @@ TEST_F(ShadingTest, APointLightFallsOffWithTheSquareOfDistanceAndEndsAtItsRange)
 TEST_F(ShadingTest, ASpotLightsOnlyItsCone) {
     ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 1.0f)));
     light_by({.kind = Light::Kind::Spot,
+              .name = "spot",
               .position_world = {0.0f, 0.5f, 2.5f},
               .direction_world = {0.0f, 0.0f, -1.0f},
               .inner_cone_radians = 0.02f,
@@ -152,7 +162,7 @@ TEST_F(ShadingTest, ASpotLightsOnlyItsCone) {
 TEST_F(ShadingTest, TheEnvironmentTurnsCounterClockwiseFromAbove) {
     // Bright towards +X alone; turned by -90 degrees (clockwise from above) that lies towards +Z.
     Image map{.width = 64, .height = 32, .channels = 3, .type = SampleType::F32, .data = {}};
-    map.data.resize(map.row_bytes() * 32);
+    map.data.resize(map.row_bytes() * 32, std::byte{0});
     const glm::vec3 white(1.0f);
     for (int y = 0; y < 32; ++y)
         for (int x = 24; x < 40; ++x)
@@ -171,7 +181,7 @@ TEST_F(ShadingTest, TheEnvironmentTurnsCounterClockwiseFromAbove) {
 
 TEST_F(ShadingTest, TheBackgroundShowsTheEnvironmentBehindTheCamerasTarget) {
     Image map{.width = 64, .height = 32, .channels = 3, .type = SampleType::F32, .data = {}};
-    map.data.resize(map.row_bytes() * 32);
+    map.data.resize(map.row_bytes() * 32, std::byte{0});
     // Red towards -Z (u = 0.25), where a front view looks.
     const glm::vec3 red(1.0f, 0.0f, 0.0f);
     for (int y = 0; y < 32; ++y)
@@ -191,7 +201,7 @@ TEST_F(ShadingTest, TheBackgroundShowsTheEnvironmentBehindTheCamerasTarget) {
 TEST_F(ShadingTest, PhongsHighlightIsAsWideAsThatOfGgxAtHalfItsMaximum) {
     const float roughness = 0.35f;
     ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 1.0f, roughness)));
-    light_by({.intensity = 1.0f, .direction_world = {0.0f, 0.0f, -1.0f}});
+    light_by({.name = "sun", .intensity = 1.0f, .direction_world = {0.0f, 0.0f, -1.0f}});
     view_.camera.orthographic_height = 1.1f;
     const auto half_width = [&](ShadingModel model, ChannelView wanted) {
         view_.left.model = model;
@@ -208,13 +218,13 @@ TEST_F(ShadingTest, PhongsHighlightIsAsWideAsThatOfGgxAtHalfItsMaximum) {
 
 TEST_F(ShadingTest, PhongTakesOverridesInPlaceOfTheConversion) {
     ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 0.3f)));
-    light_by({.intensity = 3.14159265f, .direction_world = {0.0f, 0.0f, -1.0f}});
+    light_by({.name = "sun", .intensity = 3.14159265f, .direction_world = {0.0f, 0.0f, -1.0f}});
     view_.left.model = ShadingModel::Phong;
     view_.left.phong.specular_color_linear = {0.25f, 0.5f, 0.75f};
     view_.left.phong.ambient_linear = {0.1f, 0.2f, 0.4f};
-    EXPECT_NEAR(middle(ChannelView::SpecularDirect).b, 0.75f, 0.01f);
     EXPECT_NEAR(middle(ChannelView::DiffuseAmbient).b, 0.2f, 0.01f);
     view_.left.phong.exponent = 1.0f;
+    EXPECT_NEAR(middle(ChannelView::SpecularDirect).b, 0.75f, 0.01f);
     const float broad = pixel_of(channel(ChannelView::SpecularDirect), 44, 32).b;
     view_.left.phong.exponent = 500.0f;
     EXPECT_LT(pixel_of(channel(ChannelView::SpecularDirect), 44, 32).b, 0.1f * broad);
@@ -231,7 +241,9 @@ TEST_F(ShadingTest, UnlitSurfacesShowTheirBaseColour) {
 TEST_F(ShadingTest, NothingIsInfiniteOrNotANumberAtTheEndsOfEveryRange) {
     ASSERT_TRUE(renderer().set_environment(filtered_builtin("sky")));
     view_.background.kind = Background::Kind::Environment;
-    view_.lights = {slanted_sun(), {.kind = Light::Kind::Point, .position_world = {0, 0.5f, 0.5f}}};
+    view_.lights = {
+        slanted_sun(),
+        {.kind = Light::Kind::Point, .name = "lamp", .position_world = {0, 0.5f, 0.5f}}};
     for (const float roughness : {0.0f, 1.0f})
         for (const float metalness : {0.0f, 1.0f})
             for (const glm::vec3 color : {glm::vec3(0.0f), glm::vec3(1.0f)}) {
