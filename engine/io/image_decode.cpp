@@ -11,6 +11,8 @@
 #include <exception>
 #include <limits>
 
+#include "io/png_reader.h"
+
 namespace patina::io {
 namespace {
 
@@ -147,6 +149,17 @@ Result<ImagePtr> read_pixels(OpenImage& open) {
     return image;
 }
 
+bool is_png(ByteSpan encoded) {
+    return has_magic(kFormats.front(), encoded);
+}
+
+Result<ImagePtr> decode_png_within(ByteSpan encoded, const ImageLimits& limits) {
+    const auto header = read_png_header(encoded);
+    if (!header) return passed_on(header);
+    if (const auto fits = check_image_size(*header, limits); !fits) return passed_on(fits);
+    return decode_png(encoded);
+}
+
 }  // namespace
 
 std::string_view image_format(ByteSpan encoded, std::string_view name) {
@@ -177,6 +190,7 @@ Status check_image_size(const ImageHeader& header, const ImageLimits& limits) {
 }
 
 Result<ImageHeader> read_image_header(ByteSpan encoded, std::string_view name) try {
+    if (is_png(encoded)) return read_png_header(encoded);
     const auto open = open_image(encoded, name);
     if (!open) return passed_on(open);
     return open->header;
@@ -186,6 +200,7 @@ Result<ImageHeader> read_image_header(ByteSpan encoded, std::string_view name) t
 
 Result<ImagePtr> decode_image(ByteSpan encoded, std::string_view name,
                               const ImageLimits& limits) try {
+    if (is_png(encoded)) return decode_png_within(encoded, limits);
     auto open = open_image(encoded, name);
     if (!open) return passed_on(open);
     if (const auto fits = check_image_size(open->header, limits); !fits) return passed_on(fits);
