@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+
+/// Frames of the renderer and the filtering of environments. `frame/bare` draws the same passes by
+/// themselves; `frame/moving` is what is drawn while something moves, half the size.
+
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "core/files.h"
+#include "gl/headless_context.h"
+#include "render/frame.h"
+#include "render/renderer.h"
+#include "scene/shapes.h"
+
+namespace patina::render {
+namespace {
+
+constexpr PictureSize kSize = {1280, 720};
+
+/// Without a context or the shaders there is nothing to measure.
+template <typename T>
+T value_or_exit(Result<T> result) {
+    if (result) return std::move(*result);
+    std::fprintf(stderr, "patina_bench: %s\n", result.error().message.c_str());
+    std::exit(1);
+}
+
+ScenePtr shader_ball_scene() {
+    auto scene = std::make_shared<Scene>();
+    scene->meshes.push_back(shape_mesh(Shape::ShaderBall));
+    scene->instances.push_back({.mesh = 0, .world_from_local = glm::mat4(1.0f), .name = "ball"});
+    return scene;
+}
+
+const Image& studio_map() {
+    static const Image map = value_or_exit(builtin_environment("studio"));
+    return map;
+}
+
+View view_of(const Bounds& bounds) {
+    View view;
+    view.camera =
+        framed(bounds, static_cast<float>(kSize.width) / static_cast<float>(kSize.height));
+    return view;
+}
+
+gl::HeadlessContext headless() {
+    return value_or_exit(gl::HeadlessContext::make(
+        [](std::string_view message) { std::fprintf(stderr, "OpenGL: %s\n", message.data()); }));
+}
+
+void draw_through_renderer(benchmark::State& run, PictureSize size) {
+    const gl::HeadlessContext context = headless();
+    Renderer renderer = value_or_exit(Renderer::create());
+    value_or_exit(renderer.set_scene(shader_ball_scene()).map([] { return 0; }));
+    value_or_exit(
+        renderer
+            .set_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First)))
+            .map([] { return 0; }));
+    View view = view_of(renderer.bounds_world());
+    for (auto _ : run) {
+        view.camera = orbited(view.camera, 1.0f, 0.0f);
+        benchmark::DoNotOptimize(value_or_exit(renderer.draw(view, size)));
+        glFinish();
+    }
+}
+
+void frame(benchmark::State& run) {
+    draw_through_renderer(run, kSize);
+}
+BENCHMARK(frame)->Name("frame/1280x720")->Unit(benchmark::kMillisecond);
+
+void frame_moving(benchmark::State& run) {
+    draw_through_renderer(run, {kSize.width / 2, kSize.height / 2});
+}
+BENCHMARK(frame_moving)->Name("frame/moving/1280x720")->Unit(benchmark::kMillisecond);
+
+void frame_bare(benchmark::State& run) {
+    const gl::HeadlessContext context = headless();
+    const ScenePtr scene = shader_ball_scene();
+    GpuScene uploaded = upload_scene(scene);
+    RendererState state(
+        value_or_exit(resource_folder("shaders")), value_or_exit(GpuMaterials::make()),
+        value_or_exit(upload_environment_brdf()),
+        value_or_exit(upload_ground_shadow(ground_shadow(*scene, uploaded.bounds_world))));
+    state.scene = std::move(uploaded);
+    state.environment = value_or_exit(
+        upload_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First))));
+    const glm::ivec2 size(kSize.width, kSize.height);
+    const gl::Framebuffer* picture = value_or_exit(state.picture.at(size));
+    const gl::Framebuffer* smoothed = value_or_exit(state.smoothed.at(size));
+    View view = view_of(state.scene->bounds_world);
+    for (auto _ : run) {
+        view.camera = orbited(view.camera, 1.0f, 0.0f);
+        if (!draw_frame(state, view, size, {.framebuffer = picture}) ||
+            !draw_smoothed(state, *picture, *smoothed))
+            return run.SkipWithError("a pass failed");
+        glFinish();
+    }
+}
+BENCHMARK(frame_bare)->Name("frame/bare/1280x720")->Unit(benchmark::kMillisecond);
+
+void filter(benchmark::State& run, FilterQuality quality) {
+    for (auto _ : run)
+        benchmark::DoNotOptimize(value_or_exit(filter_environment(studio_map(), quality)));
+}
+BENCHMARK_CAPTURE(filter, first, FilterQuality::First)
+    ->Name("ibl/first")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(filter, finished, FilterQuality::Finished)
+    ->Name("ibl/finished")
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace patina::render
