@@ -8,7 +8,6 @@ namespace patina::render {
 namespace {
 
 constexpr int kMaterialBlockSlot = 0;
-constexpr float kAnisotropy = 4.0f;
 constexpr std::array<const char*, kSlotCount> kSamplerNames = {
     "base_color_map", "metallic_roughness_map", "normal_map", "occlusion_map", "emissive_map"};
 
@@ -71,6 +70,7 @@ gl::Wrap gl_wrap(Wrap wrap) {
     return gl::Wrap::Repeat;
 }
 
+/// Without anisotropy: it doubles the G-buffer's time where OpenGL runs in software.
 gl::Sampler make_sampler(Wrap u, Wrap v, Filter filter) {
     const bool nearest = filter == Filter::Nearest;
     return gl::Sampler::make({.label = "material map",
@@ -78,8 +78,7 @@ gl::Sampler make_sampler(Wrap u, Wrap v, Filter filter) {
                               .wrap_v = gl_wrap(v),
                               .magnify = nearest ? gl::Filter::Nearest : gl::Filter::Linear,
                               .minify = nearest ? gl::Filter::Nearest : gl::Filter::Linear,
-                              .mip = nearest ? gl::MipFilter::Nearest : gl::MipFilter::Linear,
-                              .anisotropy = nearest ? 1.0f : kAnisotropy});
+                              .mip = nearest ? gl::MipFilter::Nearest : gl::MipFilter::Linear});
 }
 
 std::array<int, 3> sampler_key(Wrap u, Wrap v, Filter filter) {

@@ -5,11 +5,18 @@
 #include <tuple>
 
 namespace patina::render {
+namespace {
+
+/// Mesa's software rasteriser gives the time since the machine was started for the first query that
+/// ends in a context; no pass takes as long.
+constexpr double kLongestPassMs = 60'000.0;
+
+}  // namespace
 
 void PassTimers::collect(Timer& timer) {
     if (!timer.pending) return;
     if (const std::optional<double> elapsed_ms = timer.query.elapsed_ms()) {
-        timer.last_ms = *elapsed_ms;
+        if (*elapsed_ms < kLongestPassMs) timer.last_ms = *elapsed_ms;
         timer.pending = false;
     }
 }
