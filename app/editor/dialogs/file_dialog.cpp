@@ -194,7 +194,7 @@ void FileDialog::draw_buttons(Ui& ui, Rect row) {
 
 void FileDialog::draw(Ui& ui) {
     if (!request_) return;
-    const Modal modal(ui, "File dialog", 640, 480);
+    const Modal modal(ui, {"File dialog", 640, 480}, [this] { return is_open(); });
     Rect rest = modal.content().inset(ui.px(16));
     text(ui, rest.cut_top(ui.px(20)), ui.fonts.name15, theme::kText, request_->title);
     rest.cut_top(ui.px(10));

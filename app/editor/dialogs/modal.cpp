@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace patina::editor {
 
-Modal::Modal(Ui& ui, const char* name, float width, float height, float top_share) : ui_(ui) {
+Modal::Modal(Ui& ui, const Description& description, std::function<bool()> still_open)
+    : ui_(ui), still_open_(std::move(still_open)) {
+    const char* name = description.name;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float w = std::min(ui.px(width), screen.x - ui.px(24));
-    const float h = std::min(ui.px(height), screen.y - ui.px(24));
+    const float w = std::min(ui.px(description.width), screen.x - ui.px(24));
+    const float h = std::min(ui.px(description.height), screen.y - ui.px(24));
     const float x = std::floor(0.5f * (screen.x - w));
-    const float y = std::floor(top_share < 0.0f ? 0.5f * (screen.y - h) : top_share * screen.y);
+    const float y = std::floor(description.top_share < 0.0f ? 0.5f * (screen.y - h)
+                                                            : description.top_share * screen.y);
     ImGui::SetNextWindowPos(ImVec2(x, y));
     ImGui::SetNextWindowSize(ImVec2(w, h));
     ImGui::PushStyleColor(ImGuiCol_PopupBg, theme::kPopup);
@@ -25,6 +29,8 @@ Modal::Modal(Ui& ui, const char* name, float width, float height, float top_shar
 
 Modal::~Modal() {
     ui_.map.pop_place();
+    // Dear ImGui keeps a popup that is no longer drawn in its list of open ones.
+    if (!still_open_()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     ImGui::PopStyleColor();
 }

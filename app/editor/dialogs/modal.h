@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "editor/widgets/ui.h"
 
 namespace patina::editor {
@@ -8,9 +10,14 @@ namespace patina::editor {
 /// A box over the dimmed window. While it lives, everything behind it is out of reach.
 class Modal {
   public:
-    /// @param top_share  where its top is, in shares of the window's height; negative: in the
-    /// middle
-    Modal(Ui& ui, const char* name, float width, float height, float top_share = -1.0f);
+    struct Description {
+        const char* name = "";
+        float width = 0.0f;       ///< logical pixels
+        float height = 0.0f;      ///< logical pixels
+        float top_share = -1.0f;  ///< its top in shares of the window's height; negative: centred
+    };
+    /// @param still_open  asked at the end: whether the dialog is drawn in the next frame too
+    Modal(Ui& ui, const Description& description, std::function<bool()> still_open);
     ~Modal();
     Modal(const Modal&) = delete;
     Modal& operator=(const Modal&) = delete;
@@ -22,6 +29,7 @@ class Modal {
   private:
     Ui& ui_;
     Rect content_;
+    std::function<bool()> still_open_;
 };
 
 }  // namespace patina::editor

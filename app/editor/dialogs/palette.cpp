@@ -54,7 +54,7 @@ Press draw_row(Ui& ui, const Rect& rect, const ActionInfo& row, bool chosen, boo
 
 std::optional<Action> Palette::draw(Ui& ui, const Shown& shown) {
     if (!open_) return std::nullopt;
-    const Modal modal(ui, "Find an action", 520, 380, 0.16f);
+    const Modal modal(ui, {"Find an action", 520, 380, 0.16f}, [this] { return is_open(); });
     Rect rest = modal.content();
     const Rect field = rest.cut_top(ui.px(44)).inset(ui.px(8), ui.px(8));
     if (search_field(

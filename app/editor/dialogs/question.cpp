@@ -40,7 +40,7 @@ constexpr std::array kKeys = {
 
 void QuestionDialog::draw(Ui& ui) {
     if (!question_) return;
-    const Modal modal(ui, "Question", 440, 150);
+    const Modal modal(ui, {"Question", 440, 150}, [this] { return is_open(); });
     Rect rest = modal.content().inset(ui.px(20), ui.px(16));
     text(ui, rest.cut_top(ui.px(22)), ui.fonts.name15, theme::kText, question_->title);
     rest.cut_top(ui.px(4));
@@ -62,7 +62,8 @@ void QuestionDialog::draw(Ui& ui) {
 
 void KeysDialog::draw(Ui& ui) {
     if (!open_) return;
-    const Modal modal(ui, "Keys and mouse", 460, 110 + 22 * static_cast<float>(kKeys.size()));
+    const Modal modal(ui, {"Keys and mouse", 460, 110 + 22 * static_cast<float>(kKeys.size())},
+                      [this] { return open_; });
     Rect rest = modal.content().inset(ui.px(20), ui.px(16));
     text(ui, rest.cut_top(ui.px(24)), ui.fonts.name15, theme::kText, "Keys and mouse");
     rest.cut_top(ui.px(8));
