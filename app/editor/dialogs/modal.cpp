@@ -36,10 +36,7 @@ Modal::~Modal() {
 }
 
 bool Modal::dismissed() const {
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return true;
-    const ImVec2 mouse = ImGui::GetMousePos();
-    return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !content_.contains(mouse.x, mouse.y) &&
-           !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused();
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }
 
 }  // namespace patina::editor

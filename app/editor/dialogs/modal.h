@@ -23,7 +23,7 @@ class Modal {
     Modal& operator=(const Modal&) = delete;
 
     Rect content() const { return content_; }
-    /// Esc was pressed, or the pointer was pressed outside.
+    /// Esc was pressed.
     bool dismissed() const;
 
   private:
