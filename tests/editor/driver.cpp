@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "editor/driver.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace patina::editor_tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kPatience = std::chrono::seconds(60);
+constexpr int kPollMs = 15;
+
+std::vector<std::string> environment_with(const std::string& display) {
+    std::vector<std::string> result;
+    for (char** entry = environ; *entry != nullptr; ++entry)
+        if (!std::string_view(*entry).starts_with("DISPLAY=")) result.emplace_back(*entry);
+    if (!display.empty()) result.push_back("DISPLAY=" + display);
+    return result;
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+    std::vector<char*> result;
+    for (std::string& word : words) result.push_back(word.data());
+    result.push_back(nullptr);
+    return result;
+}
+
+pid_t start(std::vector<std::string> words, const std::string& display,
+            posix_spawn_file_actions_t* actions) {
+    std::vector<std::string> environment = environment_with(display);
+    const std::vector<char*> argv = pointers_to(words);
+    const std::vector<char*> envp = pointers_to(environment);
+    pid_t child = -1;
+    const int error =
+        ::posix_spawnp(&child, words.front().c_str(), actions, nullptr, argv.data(), envp.data());
+    return error == 0 ? child : -1;
+}
+
+int end_status(pid_t child) {
+    int status = 0;
+    if (::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
+    return WEXITSTATUS(status);
+}
+
+void pause_briefly() {
+    ::poll(nullptr, 0, kPollMs);
+}
+
+bool has_ended(pid_t child) {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == child;
+}
+
+}  // namespace
+
+int run_tool(const std::vector<std::string>& words, const std::string& display) {
+    const pid_t child = start(words, display, nullptr);
+    return child < 0 ? -1 : end_status(child);
+}
+
+Display::Display(int width, int height) {
+    int ends[2] = {-1, -1};
+    if (::pipe(ends) != 0) return;
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addclose(&actions, ends[0]);
+    child_ =
+        start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
+               std::to_string(width) + "x" + std::to_string(height) + "x24", "-nolisten", "tcp"},
+              "", &actions);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    // Xvfb writes the number of its display and a line break when it takes clients.
+    std::string number;
+    char letter = 0;
+    while (child_ > 0 && ::read(ends[0], &letter, 1) == 1 && letter != '\n') number += letter;
+    ::close(ends[0]);
+    if (!number.empty()) name_ = ":" + number;
+}
+
+Display::~Display() {
+    if (child_ <= 0) return;
+    ::kill(child_, SIGTERM);
+    end_status(child_);
+}
+
+double different_share(const Pixels& a, const Pixels& b, int tolerance) {
+    if (a.width != b.width || a.height != b.height || a.rgb.empty()) return 1.0;
+    std::size_t different = 0;
+    for (std::size_t i = 0; i + 2 < a.rgb.size(); i += 3) {
+        int most = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(int{a.rgb[i + c]} - int{b.rgb[i + c]}));
+        different += most > tolerance ? 1 : 0;
+    }
+    return static_cast<double>(different) * 3.0 / static_cast<double>(a.rgb.size());
+}
+
+Editor::Editor(const std::string& display, const fs::path& folder,
+               const std::vector<std::string>& arguments)
+    : display_(display), map_file_(folder / "ui.json"), screen_file_(folder / "screen.rgb") {
+    fs::remove(map_file_);
+    std::vector<std::string> words = {PATINA_PROGRAM, "--ui-map", map_file_.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    child_ = start(words, display, nullptr);
+}
+
+Editor::~Editor() {
+    if (child_ <= 0) return;
+    ::kill(child_, SIGKILL);
+    end_status(child_);
+}
+
+void Editor::read_map() const {
+    std::ifstream file(map_file_);
+    nlohmann::json map = nlohmann::json::parse(file, nullptr, false);
+    if (!map.is_discarded()) map_ = std::move(map);
+}
+
+std::string Editor::fact(const std::string& name) const {
+    read_map();
+    if (!map_.contains("facts")) return {};
+    return map_["facts"].value(name, "");
+}
+
+std::vector<Control> Editor::controls() const {
+    read_map();
+    std::vector<Control> result;
+    if (!map_.contains("controls")) return result;
+    for (const auto& entry : map_["controls"]) {
+        const auto& rect = entry["rect"];
+        result.push_back({.place = entry["place"],
+                          .label = entry["label"],
+                          .kind = entry["kind"],
+                          .value = entry["value"],
+                          .x = rect[0],
+                          .y = rect[1],
+                          .width = rect[2],
+                          .height = rect[3],
+                          .enabled = entry["enabled"]});
+    }
+    return result;
+}
+
+std::optional<Control> Editor::find(const std::string& place, const std::string& label,
+                                    const std::string& kind) const {
+    for (const Control& control : controls())
+        if (control.place.starts_with(place) && control.label == label && control.kind == kind)
+            return control;
+    return std::nullopt;
+}
+
+std::vector<std::string> Editor::layers() const {
+    std::vector<std::string> result;
+    for (const Control& control : controls())
+        if (control.place.starts_with("Layers/") && control.kind == "row")
+            result.push_back(control.label);
+    return result;
+}
+
+bool Editor::wait_for(const std::string& what, const std::function<bool()>& holds) const {
+    const auto until = Clock::now() + kPatience;
+    while (!holds()) {
+        if (has_ended(child_)) {
+            ADD_FAILURE() << "the editor ended while waiting for " << what;
+            return false;
+        }
+        if (Clock::now() > until) {
+            ADD_FAILURE() << "waited in vain for " << what
+                          << "; facts: " << map_.value("facts", nlohmann::json()).dump();
+            return false;
+        }
+        pause_briefly();
+    }
+    return true;
+}
+
+bool Editor::settle() const {
+    return wait_fact("settled", "yes");
+}
+
+bool Editor::wait_fact(const std::string& name, const std::string& value) const {
+    return wait_for(name + " = " + value, [&] { return fact(name) == value; });
+}
+
+void Editor::point_at(int x, int y) const {
+    run_tool({"xdotool", "mousemove", std::to_string(x), std::to_string(y)}, display_);
+}
+
+bool Editor::click(const std::string& place, const std::string& label,
+                   const std::string& kind) const {
+    std::optional<Control> control;
+    // A menu grows to its widest row in its first frames: take the place where it stays.
+    const bool there = wait_for(place + " / " + label + " (" + kind + ")", [&] {
+        const std::optional<Control> before = find(place, label, kind);
+        if (!before || !before->enabled) return false;
+        pause_briefly();
+        control = find(place, label, kind);
+        return control && control->x == before->x && control->y == before->y;
+    });
+    if (!there) return false;
+    point_at(control->x + control->width / 2, control->y + control->height / 2);
+    run_tool({"xdotool", "click", "1"}, display_);
+    if (kind != "item") return true;
+    // What lies behind a menu is out of reach until it is gone.
+    return wait_for("the menu to close", [&] {
+        const std::vector<Control> all = controls();
+        return std::none_of(all.begin(), all.end(),
+                            [](const Control& each) { return each.kind == "item"; });
+    });
+}
+
+bool Editor::drag(const std::string& place, const std::string& label, const std::string& kind,
+                  double from_share, double to_share) const {
+    if (!wait_for(label, [&] { return find(place, label, kind).has_value(); })) return false;
+    const Control control = *find(place, label, kind);
+    const auto at = [&](double share) {
+        return control.x + static_cast<int>(std::lround(share * control.width));
+    };
+    const int y = control.y + control.height / 2;
+    point_at(at(from_share), y);
+    run_tool({"xdotool", "mousedown", "1"}, display_);
+    for (int step = 1; step <= 8; ++step)
+        point_at(at(from_share + (to_share - from_share) * step / 8.0), y);
+    run_tool({"xdotool", "mouseup", "1"}, display_);
+    return true;
+}
+
+void Editor::key(const std::string& keys) const {
+    run_tool({"xdotool", "key", keys}, display_);
+}
+
+Pixels Editor::viewport() const {
+    std::istringstream rect(fact("viewport"));
+    int x = 0;
+    int y = 0;
+    Pixels pixels;
+    rect >> x >> y >> pixels.width >> pixels.height;
+    point_at(x + pixels.width / 2, 20);
+    settle();
+    std::ostringstream crop;
+    crop << pixels.width << 'x' << pixels.height << '+' << x << '+' << y;
+    run_tool({"import", "-silent", "-window", "root", "-crop", crop.str(), "-depth", "8",
+              "rgb:" + screen_file_.string()},
+             display_);
+    std::ifstream file(screen_file_, std::ios::binary);
+    pixels.rgb.assign(std::istreambuf_iterator<char>(file), {});
+    return pixels;
+}
+
+int Editor::wait_for_end() {
+    const auto until = Clock::now() + kPatience;
+    while (!has_ended(child_)) {
+        if (Clock::now() > until) return -1;
+        pause_briefly();
+    }
+    const int status = end_status(child_);
+    child_ = -1;
+    return status;
+}
+
+}  // namespace patina::editor_tests

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The real program in a window of its own display, worked by mouse and keyboard as a person would,
+/// and seen through its --ui-map and its pixels. Nothing here sleeps for a guessed time: every step
+/// waits for what it expects to see.
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace patina::editor_tests {
+
+/// Runs a program found along PATH and waits for it; its exit status, -1 when it did not run.
+int run_tool(const std::vector<std::string>& words, const std::string& display);
+
+/// An Xvfb on a free display.
+class Display {
+  public:
+    Display(int width, int height);
+    ~Display();
+    Display(const Display&) = delete;
+    Display& operator=(const Display&) = delete;
+    /// ":99", or empty when there is no Xvfb.
+    const std::string& name() const { return name_; }
+
+  private:
+    pid_t child_ = -1;
+    std::string name_;
+};
+
+struct Control {
+    std::string place;
+    std::string label;
+    std::string kind;
+    std::string value;
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool enabled = true;
+};
+
+/// RGB bytes of a part of the screen.
+struct Pixels {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+    bool operator==(const Pixels&) const = default;
+};
+/// The share of pixels whose channels differ by more than `tolerance`.
+double different_share(const Pixels& a, const Pixels& b, int tolerance = 2);
+
+class Editor {
+  public:
+    Editor(const std::string& display, const std::filesystem::path& folder,
+           const std::vector<std::string>& arguments);
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    /// What the ui-map says now. Facts by name; empty when there is no such fact.
+    std::string fact(const std::string& name) const;
+    std::vector<Control> controls() const;
+    /// The first control whose label and kind are these and whose place begins so.
+    std::optional<Control> find(const std::string& place, const std::string& label,
+                                const std::string& kind) const;
+    /// Rows of the layer list, from the top: "Name".
+    std::vector<std::string> layers() const;
+
+    /// Waits until `holds`, as long as the program lives and a minute has not passed. The reason
+    /// for giving up is reported as a test failure that names `what`.
+    bool wait_for(const std::string& what, const std::function<bool()>& holds) const;
+    /// Waits until all work is done and shown.
+    bool settle() const;
+    bool wait_fact(const std::string& name, const std::string& value) const;
+
+    /// Each waits for the control to be there and enabled, then acts on it.
+    bool click(const std::string& place, const std::string& label, const std::string& kind) const;
+    bool drag(const std::string& place, const std::string& label, const std::string& kind,
+              double from_share, double to_share) const;
+    void key(const std::string& keys) const;
+    void point_at(int x, int y) const;
+
+    /// The viewport's pixels, without pointer-dependent parts: the pointer is put aside first.
+    Pixels viewport() const;
+    /// Waits for the program to end: its exit status, -1 when it was killed.
+    int wait_for_end();
+
+  private:
+    void read_map() const;
+
+    std::string display_;
+    std::filesystem::path map_file_;
+    std::filesystem::path screen_file_;
+    pid_t child_ = -1;
+    mutable nlohmann::json map_;
+};
+
+}  // namespace patina::editor_tests
