@@ -30,7 +30,8 @@ TEST_P(LoadAssets, GivesTheCountsOfTheFile) {
     const Document& document = *loaded->document;
     std::size_t triangles = 0;
     for (const Mesh& mesh : document.scene->meshes)
-        for (const Primitive& primitive : mesh.primitives) triangles += primitive.indices.size() / 3;
+        for (const Primitive& primitive : mesh.primitives)
+            triangles += primitive.indices.size() / 3;
     EXPECT_EQ(document.materials.size(), GetParam().materials);
     EXPECT_EQ(document.scene->meshes.size(), GetParam().meshes);
     EXPECT_EQ(document.scene->instances.size(), GetParam().instances);
@@ -42,17 +43,17 @@ TEST_P(LoadAssets, GivesTheCountsOfTheFile) {
         EXPECT_TRUE(loaded->images->pixels(hash).has_value());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, LoadAssets,
-    testing::Values(Expected{"AnimatedMorphCube.glb", 1, 1, 1, 12, 0},
-                    Expected{"Avocado/Avocado.gltf", 1, 1, 1, 682, 3},
-                    Expected{"BoxVertexColors.glb", 1, 1, 1, 12, 0},
-                    Expected{"CesiumMan.glb", 1, 1, 1, 4672, 1},
-                    Expected{"CesiumMilkTruck.glb", 4, 2, 3, 2856, 1},
-                    Expected{"NormalTangentTest.glb", 1, 1, 1, 7774, 3},
-                    Expected{"Suzanne/Suzanne.gltf", 1, 1, 1, 3936, 2},
-                    Expected{"TextureSettingsTest.glb", 10, 10, 10, 72, 3},
-                    Expected{"TwoSidedPlane/TwoSidedPlane.gltf", 1, 1, 1, 2, 3}));
+INSTANTIATE_TEST_SUITE_P(Models, LoadAssets,
+                         testing::Values(Expected{"AnimatedMorphCube.glb", 1, 1, 1, 12, 0},
+                                         Expected{"Avocado/Avocado.gltf", 1, 1, 1, 682, 3},
+                                         Expected{"BoxVertexColors.glb", 1, 1, 1, 12, 0},
+                                         Expected{"CesiumMan.glb", 1, 1, 1, 4672, 1},
+                                         Expected{"CesiumMilkTruck.glb", 4, 2, 3, 2856, 1},
+                                         Expected{"NormalTangentTest.glb", 1, 1, 1, 7774, 3},
+                                         Expected{"Suzanne/Suzanne.gltf", 1, 1, 1, 3936, 2},
+                                         Expected{"TextureSettingsTest.glb", 10, 10, 10, 72, 3},
+                                         Expected{"TwoSidedPlane/TwoSidedPlane.gltf", 1, 1, 1, 2,
+                                                  3}));
 
 }  // namespace
 }  // namespace patina::io
