@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -18,6 +16,7 @@ constexpr std::array kCommands = {add_bake,  add_render, add_info,
 
 constexpr const char* kFooter =
     "Examples:\n"
+    "  patina model.glb                      open the editor on a model\n"
     "  patina sample -o ball.glb             write the sample scene\n"
     "  patina bake ball.glb --preset rusted-iron@Ball -o rusty.glb\n"
     "  patina render rusty.glb --shading split -o pbr-beside-phong.png\n"
@@ -48,21 +47,16 @@ ExitStatus report(const CLI::App& app, const CLI::ParseError& error) {
 /// What may be said when there is no command.
 void add_editor_options(CLI::App& app, EditorRequest& editor) {
     app.add_option("FILE", editor.file, "The model to open in the editor: .glb or .gltf")
-        ->check(CLI::ExistingFile);
+        ->check(CLI::ExistingFile)
+        ->type_name("");
     app.add_option("--ui-map", editor.ui_map,
-                   "Keep FILE up to date with every visible control of the editor, as JSON");
-    app.add_option("--scale", editor.scale, "Size of the editor's interface")
-        ->check(CLI::Range(1.0, 2.5));
-    app.add_option_function<std::string>(
-           "--window",
-           [&editor](const std::string& size) {
-               if (std::sscanf(size.c_str(), "%dx%d", &editor.window_width,
-                               &editor.window_height) != 2 ||
-                   std::min(editor.window_width, editor.window_height) < 1)
-                   throw CLI::ValidationError("--window: not WxH such as 1600x900");
-           },
-           "Size of the editor's window")
-        ->type_name("WxH");
+                   "Keep this file up to date with every visible control of the editor, as JSON")
+        ->type_name("FILE");
+    app.add_option("--scale", editor.scale, "Size of the editor's interface; as the monitor asks")
+        ->check(CLI::Range(1.0, 2.5))
+        ->type_name("X");
+    add_size_option(app, "--window", editor.window_width, editor.window_height,
+                    "Size of the editor's window");
 }
 
 }  // namespace
