@@ -47,7 +47,7 @@ ExitStatus report(const CLI::App& app, const CLI::ParseError& error) {
 /// What may be said when there is no command.
 void add_editor_options(CLI::App& app, EditorRequest& editor) {
     app.add_option("FILE", editor.file, "The model to open in the editor: .glb or .gltf")
-        ->check(CLI::ExistingFile)
+        ->check(CLI::Validator(CLI::ExistingFile).description(""))
         ->type_name("");
     app.add_option("--ui-map", editor.ui_map,
                    "Keep this file up to date with every visible control of the editor, as JSON")

@@ -272,7 +272,7 @@ std::optional<glm::vec3> html_color(std::string_view text) {
     glm::vec3 color(0.0f);
     for (int i = 0; i < 3; ++i) {
         unsigned byte = 0;
-        const char* first = text.data() + 1 + 2 * i;
+        const char* first = text.data() + 1 + 2 * static_cast<std::size_t>(i);
         const auto [end, error] = std::from_chars(first, first + 2, byte, 16);
         if (error != std::errc() || end != first + 2) return std::nullopt;
         color[i] = static_cast<float>(byte) / 255.0f;
