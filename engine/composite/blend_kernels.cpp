@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "composite/blend_kernels.h"
 
+#include "composite/kernel_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/blend_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -22,7 +24,7 @@ HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
 }
 
 HWY_INLINE Real weight_at(const BlendTask& task, std::size_t i) {
-    return load(task.mask, i) * task.amount * load(task.source_coverage, i);
+    return load(task.weight, i) * task.amount;
 }
 
 /// Lays one component over an accumulator that has coverage.
@@ -170,6 +172,12 @@ void blend_by_mode(const BlendTask& task) {
     }
 }
 
+HWY_FLATTEN void multiply_planes(const ReadPlane& a, const ReadPlane& b, float* product,
+                                 int count) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count())
+        store(load(a, i) * load(b, i), product + i);
+}
+
 HWY_FLATTEN void encode_planes(float* const* planes, int count) {
     for (int k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count())
@@ -191,11 +199,16 @@ HWY_AFTER_NAMESPACE();
 namespace patina {
 
 HWY_EXPORT(blend_by_mode);
+HWY_EXPORT(multiply_planes);
 HWY_EXPORT(encode_planes);
 HWY_EXPORT(decode_planes);
 
 void blend_tile(const BlendTask& task) {
     HWY_DYNAMIC_DISPATCH(blend_by_mode)(task);
+}
+
+void multiply_tile(const ReadPlane& a, const ReadPlane& b, float* product, int count) {
+    HWY_DYNAMIC_DISPATCH(multiply_planes)(a, b, product, count);
 }
 
 void encode_tile(float* const planes[3], int count) {

@@ -17,11 +17,13 @@ struct BlendTask {
     float* target[3] = {};             ///< the accumulator: component_count(channel) planes
     float* target_coverage = nullptr;  ///< null where the accumulator is opaque
     ReadPlane source[3] = {};
-    ReadPlane mask = {};  ///< weight = amount x mask x source_coverage
-    ReadPlane source_coverage = {};
+    ReadPlane weight = {};  ///< mask and coverage of the source; scaled by `amount`
     float amount = 1.0f;
 };
 void blend_tile(const BlendTask& task);
+
+/// The product of two planes.
+void multiply_tile(const ReadPlane& a, const ReadPlane& b, float* product, int count);
 
 /// Recodes three planes of colour in place: linear light to sRGB-encoded and back.
 void encode_tile(float* const planes[3], int count);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "composite/procedural_kernels.h"
 
+#include "composite/kernel_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/procedural_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -23,14 +23,16 @@ class Runner {
     void clear_group(const Operation& operation);
     void recode(const Operation& operation);
     FetchedSource child_source(const Operation& operation);
+    ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
     void blend(const Operation& operation, const FetchedSource& source);
     const SourceRecord& source_of(const Operation& operation) const {
         return program_.sources[static_cast<std::size_t>(operation.source)];
     }
-    FetchedSource fetch(const Operation& operation) {
+    FetchedSource fetch(const Operation& operation, float* first_plane) {
+        float* const target[3] = {first_plane, planes_.source(1), planes_.source(2)};
         return fetch_source(source_of(operation),
                             run_.images->sources[static_cast<std::size_t>(operation.source)], span_,
-                            planes_);
+                            target, planes_);
     }
 
     const TileRun& run_;
@@ -104,7 +106,7 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             recode(operation);
             break;
         case OpCode::Blend:
-            blend(operation, fetch(operation));
+            blend(operation, fetch(operation, planes_.source(0)));
             break;
         case OpCode::GroupBegin:
             clear_group(operation);
@@ -118,12 +120,16 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
 
 void Runner::join_mask(const Operation& operation) {
     const std::int32_t levels = source_of(operation).levels;
+    const bool first = (operation.flags & kFirst) != 0;
+    float* const mask = planes_.mask(operation.depth);
+    const ReadPlane entry = fetch(operation, first ? mask : planes_.source(0)).components[0];
+    if (entry.data == mask && (operation.flags & (kInvert | kLevels)) == 0) return;
     join_mask_tile(
-        {.mask = planes_.mask(operation.depth),
-         .source = fetch(operation).components[0],
+        {.mask = mask,
+         .source = entry,
          .combine = operation.combine,
          .opacity = operation.amount,
-         .first = (operation.flags & kFirst) != 0,
+         .first = first,
          .invert = (operation.flags & kInvert) != 0,
          .levels = levels < 0 ? nullptr : &program_.levels[static_cast<std::size_t>(levels)],
          .count = span_.count});
@@ -164,16 +170,22 @@ FetchedSource Runner::child_source(const Operation& operation) {
     return source;
 }
 
+/// The mask times the source's own coverage.
+ReadPlane Runner::weight_of(const Operation& operation, const FetchedSource& source) {
+    if ((operation.flags & kUsesMask) == 0) return source.coverage;
+    const ReadPlane mask{.data = planes_.mask(operation.depth)};
+    if (source.coverage.step == 0) return mask;
+    multiply_tile(mask, source.coverage, planes_.weight(), span_.count);
+    return {.data = planes_.weight()};
+}
+
 void Runner::blend(const Operation& operation, const FetchedSource& source) {
-    const bool masked = (operation.flags & kUsesMask) != 0;
-    BlendTask task{
-        .channel = operation.channel,
-        .mode = operation.mode,
-        .first = (operation.flags & kFirst) != 0,
-        .count = span_.count,
-        .mask = masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one(),
-        .source_coverage = source.coverage,
-        .amount = operation.amount};
+    BlendTask task{.channel = operation.channel,
+                   .mode = operation.mode,
+                   .first = (operation.flags & kFirst) != 0,
+                   .count = span_.count,
+                   .weight = weight_of(operation, source),
+                   .amount = operation.amount};
     for (int k = 0; k < component_count(operation.channel); ++k) {
         task.target[k] = planes_.channel(operation.depth, operation.channel, k);
         task.source[k] = source.components[k];
@@ -182,9 +194,9 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
         task.target_coverage = planes_.coverage(operation.depth, operation.channel);
     blend_tile(task);
     if (run_.observer) {
-        const float mask = task.mask.data[0];
-        run_.observer(operation, source, mask * task.amount * source.coverage.data[0], mask,
-                      planes_);
+        const bool masked = (operation.flags & kUsesMask) != 0;
+        run_.observer(operation, source, task.weight.data[0] * task.amount,
+                      masked ? planes_.mask(operation.depth)[0] : 1.0f, planes_);
     }
 }
 

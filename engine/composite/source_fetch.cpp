@@ -86,9 +86,8 @@ ReadPlane fetch_coverage(const SourceRecord& record, const BoundImage& bound, co
 }
 
 FetchedSource fetch_image(const SourceRecord& record, const BoundImage& bound, const TileSpan& span,
-                          TilePlanes& planes) {
+                          float* const target[3], TilePlanes& planes) {
     const auto& source = std::get<ImageSource>(record.source);
-    float* const target[3] = {planes.source(0), planes.source(1), planes.source(2)};
     const Components components = picked_components(source.pick, bound.image->channels);
     read_components(record, bound, components, span, target);
     const bool filtered = !bound.texel_for_texel || components.index[0] < 0;
@@ -105,8 +104,7 @@ FetchedSource fetch_image(const SourceRecord& record, const BoundImage& bound, c
 }
 
 FetchedSource fetch_procedural(const SourceRecord& record, const TileSpan& span,
-                               TilePlanes& planes) {
-    float* const target[3] = {planes.source(0), planes.source(1), planes.source(2)};
+                               float* const target[3]) {
     procedural_tile(record, span, target);
     return {{{target[0]}, {target[1]}, {target[2]}}, uniform_one()};
 }
@@ -114,14 +112,14 @@ FetchedSource fetch_procedural(const SourceRecord& record, const TileSpan& span,
 }  // namespace
 
 FetchedSource fetch_source(const SourceRecord& record, const BoundImage& image,
-                           const TileSpan& span, TilePlanes& planes) {
+                           const TileSpan& span, float* const target[3], TilePlanes& planes) {
     if (std::holds_alternative<ConstantSource>(record.source))
         return {
             {record.constant[0].plane(), record.constant[1].plane(), record.constant[2].plane()},
             uniform_one()};
     if (std::holds_alternative<ImageSource>(record.source))
-        return fetch_image(record, image, span, planes);
-    return fetch_procedural(record, span, planes);
+        return fetch_image(record, image, span, target, planes);
+    return fetch_procedural(record, span, target);
 }
 
 }  // namespace patina

@@ -16,8 +16,9 @@ struct FetchedSource {
     ReadPlane coverage = {};
 };
 
-/// @param planes  scratch: the source planes are overwritten
+/// @param target  planes that may be overwritten, and hold the components unless they are constant
+/// @param planes  scratch: the plane of the source's coverage is overwritten
 FetchedSource fetch_source(const SourceRecord& record, const BoundImage& image,
-                           const TileSpan& span, TilePlanes& planes);
+                           const TileSpan& span, float* const target[3], TilePlanes& planes);
 
 }  // namespace patina

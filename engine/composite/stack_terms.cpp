@@ -54,6 +54,16 @@ void add_contributions(const Layer& layer, float weight, LayerTerms& terms) {
     }
 }
 
+/// Takes the channels that a group does not pass on from its children.
+void keep_channels(StackTerms& terms, ChannelBits kept) {
+    for (LayerTerms& layer : terms) {
+        for (const ChannelInfo& entry : kChannels)
+            if ((kept & channel_bit(entry.channel)) == 0) at(layer.channels, entry.channel).reset();
+        keep_channels(layer.children, kept);
+    }
+    std::erase_if(terms, [](const LayerTerms& layer) { return layer.channel_bits() == 0; });
+}
+
 /// The lowest contribution lies on a bottom that is neutral for some modes, or, in a group, on
 /// nothing: there its mode is the same as normal.
 void simplify_lowest(StackTerms& terms, Channel channel, bool in_group) {
@@ -99,6 +109,7 @@ std::optional<LayerTerms> reduced_layer(const Layer& layer, CoveredLayers covere
     if (const auto* const group = std::get_if<GroupContent>(&layer.content))
         terms.children = reduced_stack(group->children, covered, true);
     add_contributions(layer, weight, terms);
+    keep_channels(terms.children, terms.channel_bits());
     return terms;
 }
 

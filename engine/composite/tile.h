@@ -38,14 +38,15 @@ class TilePlanes {
         return plane(depth * kPlanesPerDepth + kComponents + static_cast<int>(channel));
     }
     float* mask(int depth) { return plane(depth * kPlanesPerDepth + kPlanesPerDepth - 1); }
-    /// Of the source that an operation reads: up to three components, then its coverage.
+    /// Of the source that an operation reads: up to three components, its coverage, its weight.
     float* source(int component) { return plane(scratch() + component); }
     float* source_coverage() { return plane(scratch() + 3); }
+    float* weight() { return plane(scratch() + 4); }
 
   private:
     static constexpr int kComponents = 14;  ///< of the eight channels
     static constexpr int kPlanesPerDepth = kComponents + kChannelCount + 1;
-    static constexpr int kScratchPlanes = 4;
+    static constexpr int kScratchPlanes = 5;
 
     static constexpr int first_plane(Channel channel) {
         int first = 0;
