@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "composite/random_stack.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace patina {
+
+RandomStack::RandomStack(std::uint32_t seed, int size, RandomSources sources)
+    : random_(seed), size_(size), sources_(sources) {}
+
+Hash128 RandomStack::image(int channels) {
+    Image image{.type = static_cast<SampleType>(index(3))};
+    const bool fits = chance(50);
+    image.width = fits ? size_ : std::max(1, size_ - index(4));
+    image.height = fits ? size_ : std::max(1, size_ - index(4));
+    image.channels = channels;
+    image.data.resize(image.row_bytes() * static_cast<std::size_t>(image.height));
+    const std::size_t count = image.data.size() / sample_bytes(image.type);
+    for (std::size_t i = 0; i < count; ++i) {
+        // Zeros in runs, so that whole tiles of masks are empty.
+        const bool empty = (i / 700) % 3 == 0;
+        const auto bits = static_cast<std::uint16_t>(empty ? 0 : random_() & 0xffff);
+        const auto byte = static_cast<std::uint8_t>(bits >> 8);
+        const float unit = static_cast<float>(bits) / 65535.0f;
+        std::byte* const at = image.data.data() + i * sample_bytes(image.type);
+        if (image.type == SampleType::U8) std::memcpy(at, &byte, 1);
+        if (image.type == SampleType::U16) std::memcpy(at, &bits, 2);
+        if (image.type == SampleType::F32) std::memcpy(at, &unit, 4);
+    }
+    return images.add(std::move(image));
+}
+
+ImageSource RandomStack::image_source(Channel channel) {
+    const ChannelKind kind = info(channel).kind;
+    ImageSource source{.image = image(1 + index(4)),
+                       .color_space = chance(50) && kind == ChannelKind::Color ? ColorSpace::Srgb
+                                                                               : ColorSpace::Linear,
+                       .pick = static_cast<ChannelPick>(index(5)),
+                       .invert = chance(20),
+                       .directx_normal = chance(20),
+                       .alpha_is_coverage = chance(30)};
+    if (kind == ChannelKind::Normal) source.pick = ChannelPick::Rgb;
+    if (chance(40)) {
+        source.transform.offset = {number(-2, 2), number(-2, 2)};
+        source.transform.scale = {number(0.3f, 1.2f), number(0.3f, 1.2f)};
+        source.transform.rotation_degrees = number(-180, 180);
+    }
+    source.wrap_u = static_cast<Wrap>(index(3));
+    source.wrap_v = static_cast<Wrap>(index(3));
+    if (chance(30) && kind != ChannelKind::Normal) {
+        source.multiply = glm::vec3(number(), number(), number());
+        source.add = glm::vec3(number(0, 0.3f));
+    }
+    return source;
+}
+
+ProceduralSource RandomStack::procedural() {
+    ProceduralSource source{.kind = static_cast<ProceduralKind>(index(3)),
+                            .seed = static_cast<std::uint32_t>(index(1000)),
+                            .scale = number(1, 40),
+                            .octaves = 1 + index(4),
+                            .contrast = number(-1, 1),
+                            .balance = number()};
+    for (RampStop& stop : source.ramp) stop.value = {number(), number(), number(0.2f, 1.0f)};
+    return source;
+}
+
+Source RandomStack::source(Channel channel) {
+    if (sources_ == RandomSources::All && chance(25)) return procedural();
+    if (chance(50)) return image_source(channel);
+    if (channel == Channel::Normal)
+        return ConstantSource{{number(-0.5f, 0.5f), number(-0.5f, 0.5f), 1.0f}};
+    return ConstantSource{{number(), number(), number()}};
+}
+
+Mask RandomStack::mask() {
+    Mask mask{.enabled = chance(90), .invert = chance(20), .base = chance(70) ? 1.0f : number()};
+    for (int i = index(4); i > 0; --i) {
+        MaskEntry entry{.id = {next_id_++},
+                        .visible = chance(90),
+                        .source = source(Channel::Roughness),
+                        .combine = static_cast<MaskCombine>(index(6)),
+                        .opacity = chance(60) ? 1.0f : number(),
+                        .invert = chance(20)};
+        if (chance(30)) entry.levels = {0.1f, 0.8f, number(0.4f, 2.5f), number(), number()};
+        mask.entries.push_back(entry);
+    }
+    return mask;
+}
+
+BlendMode RandomStack::mode(Channel channel) {
+    for (;;) {
+        const BlendMode mode =
+            kBlendModes[static_cast<std::size_t>(index(static_cast<int>(kBlendModes.size())))].mode;
+        if (applies_to(mode, channel)) return mode;
+    }
+}
+
+Layer RandomStack::layer(int depth) {
+    Layer layer{.id = {next_id_++},
+                .name = "layer",
+                .visible = chance(90),
+                .opacity = chance(40) ? 1.0f : number(),
+                .mode = mode(Channel::BaseColor),
+                .blend_space = chance(50) ? BlendSpace::Linear : BlendSpace::SrgbEncoded};
+    if (chance(60)) layer.mask = mask();
+    for (const ChannelInfo& entry : kChannels) {
+        ChannelSettings& settings = at(layer.channels, entry.channel);
+        settings.enabled = chance(50);
+        settings.source = source(entry.channel);
+        if (chance(60)) settings.mode = mode(entry.channel);
+        settings.opacity = chance(60) ? 1.0f : number();
+    }
+    if (depth < 2 && chance(25))
+        layer.content = GroupContent{.children = stack(1 + index(3), depth + 1)};
+    return layer;
+}
+
+std::vector<LayerPtr> RandomStack::stack(int layers, int depth) {
+    std::vector<LayerPtr> stack;
+    for (int i = 0; i < layers; ++i) stack.push_back(std::make_shared<const Layer>(layer(depth)));
+    return stack;
+}
+
+Material RandomStack::material() {
+    Material material;
+    material.height_scale = 0.5f / static_cast<float>(size_);
+    material.stack = stack(2 + index(4), 0);
+    return material;
+}
+
+Material RandomStack::edited(const Material& material) {
+    Material copy = material;
+    const auto at_layer = static_cast<std::size_t>(index(static_cast<int>(copy.stack.size())));
+    Layer changed = *copy.stack[at_layer];
+    auto* const group = std::get_if<GroupContent>(&changed.content);
+    if (group != nullptr && chance(60)) {
+        const auto at_child =
+            static_cast<std::size_t>(index(static_cast<int>(group->children.size())));
+        Layer child = *group->children[at_child];
+        child.opacity = number();
+        group->children[at_child] = std::make_shared<const Layer>(std::move(child));
+    } else if (chance(10)) {
+        changed.visible = !changed.visible;
+    } else if (chance(20)) {
+        at(changed.channels, Channel::BaseColor).source = source(Channel::BaseColor);
+    } else {
+        changed.opacity = number();
+    }
+    copy.stack[at_layer] = std::make_shared<const Layer>(std::move(changed));
+    return copy;
+}
+
+}  // namespace patina

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+#include "composite/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace patina {
+namespace {
+
+using Vec3 = glm::dvec3;
+
+double decoded(double s) {
+    s = std::clamp(s, 0.0, 1.0);
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+double encoded(double x) {
+    x = std::clamp(x, 0.0, 1.0);
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+}
+Vec3 decoded(const Vec3& s) {
+    return {decoded(s.x), decoded(s.y), decoded(s.z)};
+}
+Vec3 encoded(const Vec3& x) {
+    return {encoded(x.x), encoded(x.y), encoded(x.z)};
+}
+
+Vec3 unit(const Vec3& v) {
+    const double length = glm::length(v);
+    return length > 1e-10 ? v / length : Vec3(0, 0, 1);
+}
+
+double separable(BlendMode mode, double cb, double cs) {
+    const auto hard_light = [](double b, double s) {
+        return s <= 0.5 ? b * 2 * s : b + (2 * s - 1) - b * (2 * s - 1);
+    };
+    switch (mode) {
+        case BlendMode::Darken:
+            return std::min(cb, cs);
+        case BlendMode::Multiply:
+            return cb * cs;
+        case BlendMode::Lighten:
+        case BlendMode::HeightMax:
+            return std::max(cb, cs);
+        case BlendMode::Screen:
+            return 1 - (1 - cb) * (1 - cs);
+        case BlendMode::Add:
+        case BlendMode::HeightAdd:
+            return cb + cs;
+        case BlendMode::Overlay:
+            return hard_light(cs, cb);
+        case BlendMode::SoftLightW3c: {
+            const double d = cb <= 0.25 ? ((16 * cb - 12) * cb + 4) * cb : std::sqrt(cb);
+            return cs <= 0.5 ? cb - (1 - 2 * cs) * cb * (1 - cb) : cb + (2 * cs - 1) * (d - cb);
+        }
+        case BlendMode::Difference:
+            return std::abs(cb - cs);
+        case BlendMode::Subtract:
+            return cb - cs;
+        default:
+            return cs;
+    }
+}
+
+Vec3 rnm(const Vec3& below, const Vec3& detail) {
+    const Vec3 t = below + Vec3(0, 0, 1);
+    const Vec3 u = detail * Vec3(-1, -1, 1);
+    return t * (glm::dot(t, u) / t.z) - u;
+}
+
+Vec3 normal_laid(BlendMode mode, const Vec3& below, const Vec3& source, double weight) {
+    const Vec3 faded = unit(glm::mix(Vec3(0, 0, 1), source, weight));
+    switch (mode) {
+        case BlendMode::NormalRnm:
+            return rnm(below, faded);
+        case BlendMode::NormalUdn:
+            return unit({below.x + faded.x, below.y + faded.y, below.z});
+        case BlendMode::NormalWhiteout:
+            return unit({below.x + faded.x, below.y + faded.y, below.z * faded.z});
+        default:
+            return unit(glm::mix(below, source, weight));
+    }
+}
+
+/// What has been accumulated of one channel.
+struct Accumulated {
+    Vec3 value = Vec3(0);
+    double coverage = 0;
+    bool encoded = false;
+};
+using Accumulators = PerChannel<Accumulated>;
+
+void put_into_space(Accumulated& accumulated, bool wanted) {
+    if (accumulated.encoded == wanted) return;
+    accumulated.value = wanted ? encoded(accumulated.value) : decoded(accumulated.value);
+    accumulated.encoded = wanted;
+}
+
+class Texel {
+  public:
+    Texel(const Material& material, const ImageTable& images, int size, int x, int y)
+        : material_(material), images_(images), u_((x + 0.5) / size), v_((y + 0.5) / size) {}
+
+    Vec3 channel(Channel channel) const {
+        Accumulators accumulators;
+        for (const ChannelInfo& entry : kChannels)
+            at(accumulators, entry.channel) = {Vec3(stack_bottom(entry.channel)), 1.0, false};
+        composite(material_.stack, accumulators);
+        put_into_space(at(accumulators, channel), false);
+        return at(accumulators, channel).value;
+    }
+
+  private:
+    struct Sampled {
+        Vec3 value;
+        double coverage = 1;
+    };
+
+    void composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const;
+    void lay(const Layer& layer, Channel channel, Sampled source, double weight,
+             Accumulators& accumulators) const;
+    double mask(const Mask& mask) const;
+    Sampled sampled(const Source& source, ChannelKind kind) const;
+    Sampled sampled_image(const ImageSource& source, ChannelKind kind) const;
+
+    const Material& material_;
+    const ImageTable& images_;
+    double u_;
+    double v_;
+};
+
+void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const {
+    for (const LayerPtr& layer : stack) {
+        if (!layer->visible) continue;
+        const double weight = static_cast<double>(layer->opacity) * mask(layer->mask);
+        Accumulators children;
+        if (layer->is_group()) composite(std::get<GroupContent>(layer->content).children, children);
+        for (const ChannelInfo& entry : kChannels) {
+            const ChannelSettings& settings = at(layer->channels, entry.channel);
+            if (!settings.enabled) continue;
+            const bool wants_encoded =
+                entry.kind == ChannelKind::Color && layer->blend_space == BlendSpace::SrgbEncoded;
+            Sampled source;
+            if (layer->is_group()) {
+                Accumulated& child = at(children, entry.channel);
+                if (child.coverage == 0) continue;
+                put_into_space(child, wants_encoded);
+                source = {child.value, child.coverage};
+            } else {
+                source = sampled(settings.source, entry.kind);
+                if (wants_encoded) source.value = encoded(source.value);
+            }
+            put_into_space(at(accumulators, entry.channel), wants_encoded);
+            lay(*layer, entry.channel, source,
+                weight * static_cast<double>(settings.opacity) * source.coverage, accumulators);
+        }
+    }
+}
+
+/// W3C: co = as (1 - ab) Cs + as ab B + (1 - as) ab Cb, ao = as + ab - as ab, colour co / ao.
+void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weight,
+                Accumulators& accumulators) const {
+    Accumulated& below = at(accumulators, channel);
+    const BlendMode mode = effective_blend_mode(layer, channel);
+    const double ab = below.coverage;
+    const double ao = weight + ab - weight * ab;
+    if (ao <= 0) return;
+    if (info(channel).kind == ChannelKind::Normal) {
+        const Vec3 laid = ab > 0 ? normal_laid(mode, below.value, source.value, weight) : Vec3(0);
+        below.value = unit(laid * ab + source.value * (weight * (1 - ab)));
+    } else {
+        for (int k = 0; k < 3; ++k) {
+            const double blended = separable(mode, below.value[k], source.value[k]);
+            below.value[k] = (weight * (1 - ab) * source.value[k] + weight * ab * blended +
+                              (1 - weight) * ab * below.value[k]) /
+                             ao;
+        }
+    }
+    below.coverage = ao;
+}
+
+double leveled(const Levels& levels, double x) {
+    const double width = static_cast<double>(levels.in_high) - static_cast<double>(levels.in_low);
+    const double t = std::clamp((x - static_cast<double>(levels.in_low)) / width, 0.0, 1.0);
+    return glm::mix(static_cast<double>(levels.out_low), static_cast<double>(levels.out_high),
+                    std::pow(t, 1.0 / static_cast<double>(levels.gamma)));
+}
+
+double joined(MaskCombine combine, double mask, double entry) {
+    switch (combine) {
+        case MaskCombine::Replace:
+            return entry;
+        case MaskCombine::Multiply:
+            return mask * entry;
+        case MaskCombine::Add:
+            return std::min(mask + entry, 1.0);
+        case MaskCombine::Subtract:
+            return std::max(mask - entry, 0.0);
+        case MaskCombine::Lighten:
+            return std::max(mask, entry);
+        case MaskCombine::Darken:
+            return std::min(mask, entry);
+    }
+    return mask;
+}
+
+double Texel::mask(const Mask& mask) const {
+    if (!mask.enabled) return 1;
+    double value = static_cast<double>(mask.base);
+    for (const MaskEntry& entry : mask.entries) {
+        if (!entry.visible) continue;
+        double own = sampled(entry.source, ChannelKind::Scalar).value.x;
+        if (entry.invert) own = 1 - own;
+        own = leveled(entry.levels, own);
+        value =
+            glm::mix(value, joined(entry.combine, value, own), static_cast<double>(entry.opacity));
+    }
+    value = std::clamp(value, 0.0, 1.0);
+    return mask.invert ? 1 - value : value;
+}
+
+Texel::Sampled Texel::sampled(const Source& source, ChannelKind kind) const {
+    if (const auto* const constant = std::get_if<ConstantSource>(&source)) {
+        const Vec3 value(constant->value);
+        return {kind == ChannelKind::Normal ? unit(value) : value};
+    }
+    return sampled_image(std::get<ImageSource>(source), kind);
+}
+
+double stored(const Image& image, int x, int y, int channel) {
+    const auto index = static_cast<std::size_t>((y * image.width + x) * image.channels + channel);
+    if (image.type == SampleType::U8) return static_cast<double>(image.data[index]) / 255.0;
+    if (image.type == SampleType::U16)
+        return reinterpret_cast<const std::uint16_t*>(image.data.data())[index] / 65535.0;
+    return static_cast<double>(reinterpret_cast<const float*>(image.data.data())[index]);
+}
+
+int wrapped(int index, int side, Wrap wrap) {
+    switch (wrap) {
+        case Wrap::Repeat:
+            return ((index % side) + side) % side;
+        case Wrap::Mirror: {
+            const int twice = ((index % (2 * side)) + 2 * side) % (2 * side);
+            return twice < side ? twice : 2 * side - 1 - twice;
+        }
+        case Wrap::Clamp:
+            return std::clamp(index, 0, side - 1);
+    }
+    return index;
+}
+
+/// The components of one texel, alpha in w: grey stands for all colours, a missing alpha is 1.
+glm::dvec4 texel_of(const Image& image, const ImageSource& source, int x, int y) {
+    glm::dvec4 value(0, 0, 0, 1);
+    const bool has_alpha = image.channels == 2 || image.channels == 4;
+    for (int k = 0; k < 3; ++k) {
+        value[k] = stored(image, x, y, image.channels <= 2 ? 0 : k);
+        if (source.invert) value[k] = 1 - value[k];
+    }
+    if (has_alpha) value.w = stored(image, x, y, image.channels - 1);
+    return value;
+}
+
+Texel::Sampled Texel::sampled_image(const ImageSource& source, ChannelKind kind) const {
+    const Image& image = *images_.images.at(source.image);
+    const double turn =
+        static_cast<double>(source.transform.rotation_degrees) * std::numbers::pi / 180.0;
+    const double su = static_cast<double>(source.transform.scale.x) * u_;
+    const double sv = static_cast<double>(source.transform.scale.y) * v_;
+    const double u =
+        static_cast<double>(source.transform.offset.x) + std::cos(turn) * su + std::sin(turn) * sv;
+    const double v =
+        static_cast<double>(source.transform.offset.y) - std::sin(turn) * su + std::cos(turn) * sv;
+    const bool nearest = source.filter == Filter::Nearest;
+    const double px = u * image.width - (nearest ? 0.0 : 0.5);
+    const double py = v * image.height - (nearest ? 0.0 : 0.5);
+    const int x0 = static_cast<int>(std::floor(px));
+    const int y0 = static_cast<int>(std::floor(py));
+    const double fx = nearest ? 0 : px - x0;
+    const double fy = nearest ? 0 : py - y0;
+    const bool decode = source.color_space == ColorSpace::Srgb && kind != ChannelKind::Normal;
+
+    glm::dvec4 sum(0);
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            glm::dvec4 tap = texel_of(image, source, wrapped(x0 + i, image.width, source.wrap_u),
+                                      wrapped(y0 + j, image.height, source.wrap_v));
+            if (decode) tap = glm::dvec4(decoded(Vec3(tap)), tap.w);
+            sum += tap * ((i == 0 ? 1 - fx : fx) * (j == 0 ? 1 - fy : fy));
+        }
+    Sampled result{Vec3(sum), source.alpha_is_coverage ? sum.w : 1.0};
+    switch (source.pick) {
+        case ChannelPick::Rgb:
+            break;
+        case ChannelPick::Red:
+            result.value = Vec3(sum.x);
+            break;
+        case ChannelPick::Green:
+            result.value = Vec3(sum.y);
+            break;
+        case ChannelPick::Blue:
+            result.value = Vec3(sum.z);
+            break;
+        case ChannelPick::Alpha:
+            result.value = Vec3(source.invert ? 1 - sum.w : sum.w);
+            break;
+    }
+    if (kind == ChannelKind::Normal) {
+        result.value = result.value * 2.0 - 1.0;
+        if (source.directx_normal) result.value.y = -result.value.y;
+    }
+    result.value = result.value * Vec3(source.multiply) + Vec3(source.add);
+    if (kind == ChannelKind::Normal) result.value = unit(result.value);
+    const bool scalar = kind == ChannelKind::Scalar || kind == ChannelKind::Height;
+    if (scalar && source.pick == ChannelPick::Rgb && image.channels >= 3)
+        result.value =
+            Vec3(0.2126 * result.value.x + 0.7152 * result.value.y + 0.0722 * result.value.z);
+    return result;
+}
+
+/// The normal of the height field (Sobel's slopes, borders meet) with the normal channel on top.
+Vec3 relief_normal(const Material& material, const ImageTable& images, int size, int x, int y) {
+    const auto height = [&](int dx, int dy) {
+        return Texel(material, images, size, (x + dx + size) % size, (y + dy + size) % size)
+            .channel(Channel::Height)
+            .x;
+    };
+    const double depth = static_cast<double>(material.height_scale) * size;
+    const double right = (height(1, -1) - height(-1, -1) + 2 * (height(1, 0) - height(-1, 0)) +
+                          height(1, 1) - height(-1, 1)) /
+                         8 * depth;
+    const double up = (height(-1, -1) - height(-1, 1) + 2 * (height(0, -1) - height(0, 1)) +
+                       height(1, -1) - height(1, 1)) /
+                      8 * depth;
+    return rnm(unit({-right, -up, 1}),
+               Texel(material, images, size, x, y).channel(Channel::Normal));
+}
+
+}  // namespace
+
+glm::dvec4 reference_texel(const Material& material, const ImageTable& images, BakedMap map,
+                           int size, int x, int y) {
+    const Texel texel(material, images, size, x, y);
+    switch (map) {
+        case BakedMap::BaseColor:
+            return {encoded(texel.channel(Channel::BaseColor)), texel.channel(Channel::Opacity).x};
+        case BakedMap::OcclusionRoughnessMetalness:
+            return {texel.channel(Channel::Occlusion).x, texel.channel(Channel::Roughness).x,
+                    texel.channel(Channel::Metalness).x, 1};
+        case BakedMap::Normal:
+            return {relief_normal(material, images, size, x, y) * 0.5 + 0.5, 1};
+        case BakedMap::Emissive:
+            return {encoded(texel.channel(Channel::Emissive)), 1};
+    }
+    return {};
+}
+
+}  // namespace patina
