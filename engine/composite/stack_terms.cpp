@@ -109,7 +109,6 @@ std::optional<LayerTerms> reduced_layer(const Layer& layer, CoveredLayers covere
     if (const auto* const group = std::get_if<GroupContent>(&layer.content))
         terms.children = reduced_stack(group->children, covered, true);
     add_contributions(layer, weight, terms);
-    keep_channels(terms.children, terms.channel_bits());
     return terms;
 }
 
@@ -123,6 +122,7 @@ StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers cover
         if (covered == CoveredLayers::Drop) drop_covered(terms, entry.channel);
     }
     std::erase_if(terms, [](const LayerTerms& layer) { return layer.channel_bits() == 0; });
+    for (LayerTerms& layer : terms) keep_channels(layer.children, layer.channel_bits());
     return terms;
 }
 
