@@ -19,6 +19,7 @@ class Runner {
     void store_caches(std::size_t next);
     bool may_jump(const Operation& operation, std::size_t next) const;
     std::size_t step(const Operation& operation, std::size_t next);
+    const Levels* levels_of(const Operation& operation) const;
     void join_mask(const Operation& operation);
     void clear_group(const Operation& operation);
     void recode(const Operation& operation);
@@ -118,21 +119,34 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
     return next + 1;
 }
 
+/// The levels of a mask entry; null where they would change nothing. The identity holds to 0..1
+/// what can lie beyond.
+const Levels* Runner::levels_of(const Operation& operation) const {
+    static constexpr Levels kIdentity;
+    const SourceRecord& record = source_of(operation);
+    if (record.levels >= 0) return &program_.levels[static_cast<std::size_t>(record.levels)];
+    const auto* const source = std::get_if<ImageSource>(&record.source);
+    if (source == nullptr) return &kIdentity;
+    const auto& bound = run_.images->sources[static_cast<std::size_t>(operation.source)];
+    const bool within = bound.image->type != SampleType::F32 &&
+                        source->multiply == glm::vec3(1.0f) && source->add == glm::vec3(0.0f);
+    return within ? nullptr : &kIdentity;
+}
+
 void Runner::join_mask(const Operation& operation) {
-    const std::int32_t levels = source_of(operation).levels;
     const bool first = (operation.flags & kFirst) != 0;
+    const Levels* const levels = levels_of(operation);
     float* const mask = planes_.mask(operation.depth);
     const ReadPlane entry = fetch(operation, first ? mask : planes_.source(0)).components[0];
-    if (entry.data == mask && (operation.flags & (kInvert | kLevels)) == 0) return;
-    join_mask_tile(
-        {.mask = mask,
-         .source = entry,
-         .combine = operation.combine,
-         .opacity = operation.amount,
-         .first = first,
-         .invert = (operation.flags & kInvert) != 0,
-         .levels = levels < 0 ? nullptr : &program_.levels[static_cast<std::size_t>(levels)],
-         .count = span_.count});
+    if (entry.data == mask && levels == nullptr && (operation.flags & kInvert) == 0) return;
+    join_mask_tile({.mask = mask,
+                    .source = entry,
+                    .combine = operation.combine,
+                    .opacity = operation.amount,
+                    .first = first,
+                    .invert = (operation.flags & kInvert) != 0,
+                    .levels = levels,
+                    .count = span_.count});
 }
 
 void Runner::clear_group(const Operation& operation) {

@@ -40,10 +40,8 @@ glm::vec3 linear_color(const glm::vec3& color_encoded) {
 float joined_mask_value(float below, const MaskEntry& entry, float value) {
     const Levels& levels = entry.levels;
     const float own = entry.invert ? formulae::inverted(value) : value;
-    const float adjusted = levels == Levels{}
-                               ? own
-                               : formulae::levels(own, levels.in_low, levels.in_high, levels.gamma,
-                                                  levels.out_low, levels.out_high);
+    const float adjusted = formulae::levels(own, levels.in_low, levels.in_high, levels.gamma,
+                                            levels.out_low, levels.out_high);
     return formulae::mix(below, combined(below, entry.combine, adjusted), entry.opacity);
 }
 

@@ -27,24 +27,29 @@ Hash128 hash_of(const MapSet& maps) {
     return hasher.finish();
 }
 
-/// The greatest difference of a channel of any texel from the reference, in steps of 1/255.
-double greatest_error(const Material& material, const ImageTable& images, const MapSet& maps) {
-    double worst = 0;
-    for (const BakedMap map : kAllMaps) {
-        const Image& image = *maps[map];
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x) {
-                const glm::dvec4 reference =
-                    reference_texel(material, images, map, image.width, x, y);
-                for (int k = 0; k < 4; ++k) {
-                    const auto at = static_cast<std::size_t>((y * image.width + x) * 4 + k);
-                    const double expected = std::clamp(reference[k], 0.0, 1.0) * 255;
-                    worst =
-                        std::max(worst, std::abs(static_cast<double>(image.data[at]) - expected));
-                }
+/// How far a map is from the reference, in steps of 1/255.
+struct Difference {
+    double greatest = 0;
+    int beyond_rounding = 0;  ///< values that are not the nearest byte
+    int values = 0;
+};
+
+Difference difference_from_reference(const Material& material, const ImageTable& images,
+                                     BakedMap map, const Image& image) {
+    Difference difference;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const glm::dvec4 reference = reference_texel(material, images, map, image.width, x, y);
+            for (int k = 0; k < 4; ++k) {
+                const auto at = static_cast<std::size_t>((y * image.width + x) * 4 + k);
+                const double expected = std::clamp(reference[k], 0.0, 1.0) * 255;
+                const double error = std::abs(static_cast<double>(image.data[at]) - expected);
+                difference.greatest = std::max(difference.greatest, error);
+                difference.beyond_rounding += error > 0.55;
+                ++difference.values;
             }
-    }
-    return worst;
+        }
+    return difference;
 }
 
 RC_GTEST_PROP(Bake, EqualsTheReferenceToTheNearestByte, ()) {
@@ -52,10 +57,15 @@ RC_GTEST_PROP(Bake, EqualsTheReferenceToTheNearestByte, ()) {
     const int size = 9;
     RandomStack random(seed, size, RandomSources::ConstantsAndImages);
     const Material material = random.material();
-    const double worst =
-        greatest_error(material, random.images, baked(material, random.images, size));
-    RC_LOG() << "worst " << worst;
-    RC_ASSERT(worst <= 0.55);
+    const MapSet maps = baked(material, random.images, size);
+    for (const BakedMap map : kAllMaps) {
+        const Difference difference =
+            difference_from_reference(material, random.images, map, *maps[map]);
+        RC_LOG() << kBakedMapIds[static_cast<std::size_t>(map)] << ": greatest difference "
+                 << difference.greatest << ", beyond rounding " << difference.beyond_rounding
+                 << " of " << difference.values << ", seed " << seed << std::endl;
+        RC_ASSERT(difference.beyond_rounding == 0);
+    }
 }
 
 TEST(Bake, GivesTheSameTexelsForAnyNumberOfThreads) {
@@ -97,7 +107,7 @@ TEST(Bake, GivesTheTexelsThatEveryMachineGives) {
         RandomStack random(seed, 33, RandomSources::All);
         hasher.add(hash_of(baked(random.material(), random.images, 33)));
     }
-    EXPECT_EQ(to_hex(hasher.finish()), "bc4eeb59c66238553995392f738b14ef");
+    EXPECT_EQ(to_hex(hasher.finish()), "fc6a59f21152d362c79a3e93ef1e45f8");
 }
 
 TEST(Bake, TilesDoNotShowInARectangle) {

@@ -19,7 +19,7 @@ Hash128 RandomStack::image(int channels) {
     const std::size_t count = image.data.size() / sample_bytes(image.type);
     for (std::size_t i = 0; i < count; ++i) {
         // Zeros in runs, so that whole tiles of masks are empty.
-        const bool empty = (i / 700) % 3 == 0;
+        const bool empty = (i / 700) % 3 == 2;
         const auto bits = static_cast<std::uint16_t>(empty ? 0 : random_() & 0xffff);
         const auto byte = static_cast<std::uint8_t>(bits >> 8);
         const float unit = static_cast<float>(bits) / 65535.0f;
@@ -40,7 +40,12 @@ ImageSource RandomStack::image_source(Channel channel) {
                        .invert = chance(20),
                        .directx_normal = chance(20),
                        .alpha_is_coverage = chance(30)};
-    if (kind == ChannelKind::Normal) source.pick = ChannelPick::Rgb;
+    if (kind == ChannelKind::Normal) {
+        // Directions above the surface: opposed ones have no meaning, and no stable blend.
+        source.pick = ChannelPick::Rgb;
+        source.multiply = glm::vec3(0.4f);
+        source.add = glm::vec3(0.0f, 0.0f, 0.6f);
+    }
     if (chance(40)) {
         source.transform.offset = {number(-2, 2), number(-2, 2)};
         source.transform.scale = {number(0.3f, 1.2f), number(0.3f, 1.2f)};
@@ -83,7 +88,7 @@ Mask RandomStack::mask() {
                         .combine = static_cast<MaskCombine>(index(6)),
                         .opacity = chance(60) ? 1.0f : number(),
                         .invert = chance(20)};
-        if (chance(30)) entry.levels = {0.1f, 0.8f, number(0.4f, 2.5f), number(), number()};
+        if (chance(30)) entry.levels = {0.1f, 0.8f, number(0.4f, 1.0f), number(), number()};
         mask.entries.push_back(entry);
     }
     return mask;

@@ -131,13 +131,14 @@ class Texel {
 
 void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const {
     for (const LayerPtr& layer : stack) {
-        if (!layer->visible) continue;
+        // What can have no weight anywhere does not clamp colours by recoding them either.
+        if (!layer->visible || layer->opacity == 0.0f) continue;
         const double weight = static_cast<double>(layer->opacity) * mask(layer->mask);
         Accumulators children;
         if (layer->is_group()) composite(std::get<GroupContent>(layer->content).children, children);
         for (const ChannelInfo& entry : kChannels) {
             const ChannelSettings& settings = at(layer->channels, entry.channel);
-            if (!settings.enabled) continue;
+            if (!settings.enabled || settings.opacity == 0.0f) continue;
             const bool wants_encoded =
                 entry.kind == ChannelKind::Color && layer->blend_space == BlendSpace::SrgbEncoded;
             Sampled source;
