@@ -54,7 +54,7 @@ ImageSource RandomStack::image_source(Channel channel) {
     source.wrap_u = static_cast<Wrap>(index(3));
     source.wrap_v = static_cast<Wrap>(index(3));
     if (chance(30) && kind != ChannelKind::Normal) {
-        source.multiply = glm::vec3(number(), number(), number());
+        source.multiply = {number(), number(), number()};  // in braces: in order
         source.add = glm::vec3(number(0, 0.3f));
     }
     return source;
