@@ -129,11 +129,19 @@ class Texel {
     double v_;
 };
 
+/// Whether the mask is the same at every texel.
+bool is_uniform(const Mask& mask) {
+    return !mask.enabled || std::all_of(mask.entries.begin(), mask.entries.end(), [](auto& entry) {
+        return std::holds_alternative<ConstantSource>(entry.source);
+    });
+}
+
 void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const {
     for (const LayerPtr& layer : stack) {
         // What can have no weight anywhere does not clamp colours by recoding them either.
         if (!layer->visible || layer->opacity == 0.0f) continue;
         const double weight = static_cast<double>(layer->opacity) * mask(layer->mask);
+        if (weight == 0.0 && is_uniform(layer->mask)) continue;
         Accumulators children;
         if (layer->is_group()) composite(std::get<GroupContent>(layer->content).children, children);
         for (const ChannelInfo& entry : kChannels) {
