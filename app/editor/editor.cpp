@@ -177,9 +177,10 @@ double draw_frame(Ui& ui, Window& window, Workspace& workspace) {
         const Shown shown = session.shown(view);
         Requests requests = draw_panels(ui, layout, shown, view);
         draw_dialogs(ui, workspace, shown);
-        take_keys(ui, workspace, shown);
         workspace.carry_out(std::move(requests));
         if (ui.edit_ended && session.has_document()) session.history().seal();
+        // In one slow frame a click and then a key may arrive: the key acts on what the click did.
+        take_keys(ui, workspace, session.shown(view));
         if (!shown.toasts.empty()) ui.wake_in(0.5);
         ui.end_frame();
         state_facts(ui, workspace, shown, layout);

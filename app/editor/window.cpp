@@ -8,8 +8,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
 #include <deque>
 #include <utility>
+#include <variant>
 
 #include "render/window_target.h"
 
@@ -17,20 +20,37 @@ namespace patina::editor {
 
 namespace {
 
-/// A key or a letter that has not been given to Dear ImGui yet.
-struct Typed {
+/// Something that the hand did and that has not been given to Dear ImGui yet.
+struct KeyChange {
     int key = 0;
     int scancode = 0;
     int action = 0;
     int modifiers = 0;
-    unsigned letter = 0;  ///< set: a letter, not a key
+};
+struct Letter {
+    unsigned codepoint = 0;
+};
+struct PointerMove {
+    ImVec2 position;
+};
+struct ButtonChange {
+    int button = 0;
+    bool down = false;
+};
+using HandEvent = std::variant<KeyChange, Letter, PointerMove, ButtonChange>;
+
+/// The pointer as far as Dear ImGui has been told.
+struct Pointer {
+    ImVec2 position = ImVec2(-FLT_MAX, -FLT_MAX);
+    std::array<bool, ImGuiMouseButton_COUNT> down = {};
 };
 
 /// What GLFW's callbacks find through the window.
 struct Events {
     bool input = true;
     std::vector<std::filesystem::path> dropped;
-    std::deque<Typed> typed;
+    std::deque<HandEvent> hand;
+    Pointer pointer;
 };
 
 }  // namespace
@@ -79,27 +99,29 @@ void mark_input(GLFWwindow* handle) {
     events_of(handle).input = true;
 }
 
-/// The pointer goes to Dear ImGui at once, keys and letters by feed_typed().
+void push(GLFWwindow* handle, const HandEvent& event) {
+    mark_input(handle);
+    events_of(handle).hand.push_back(event);
+}
+
+/// Pointer, buttons and keys go to Dear ImGui in their order, by feed().
 void install_callbacks(GLFWwindow* handle) {
-    glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double, double) { mark_input(w); });
-    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int modifiers) {
-        mark_input(w);
-        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double x, double y) {
+        push(w, PointerMove{ImVec2(static_cast<float>(x), static_cast<float>(y))});
+    });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
+        if (button < ImGuiMouseButton_COUNT) push(w, ButtonChange{button, action == GLFW_PRESS});
     });
     glfwSetScrollCallback(handle, [](GLFWwindow* w, double x, double y) {
         mark_input(w);
         ImGui_ImplGlfw_ScrollCallback(w, x, y);
     });
     glfwSetKeyCallback(handle, [](GLFWwindow* w, int key, int code, int action, int modifiers) {
-        mark_input(w);
-        events_of(w).typed.push_back({key, code, action, modifiers, 0});
+        push(w, KeyChange{key, code, action, modifiers});
     });
-    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned letter) {
-        mark_input(w);
-        events_of(w).typed.push_back({.letter = letter});
-    });
+    glfwSetCharCallback(handle, [](GLFWwindow* w, unsigned letter) { push(w, Letter{letter}); });
     glfwSetCursorEnterCallback(handle, [](GLFWwindow* w, int entered) {
-        mark_input(w);
+        if (entered == GLFW_FALSE) push(w, PointerMove{ImVec2(-FLT_MAX, -FLT_MAX)});
         ImGui_ImplGlfw_CursorEnterCallback(w, entered);
     });
     glfwSetWindowFocusCallback(handle, [](GLFWwindow* w, int focused) {
@@ -115,22 +137,63 @@ void install_callbacks(GLFWwindow* handle) {
     });
 }
 
-/// Dear ImGui 1.86 sees keys only as they are when a frame begins: one that went down and up since
-/// the last frame would be lost. So a frame gets what was typed up to the second change of one key.
-void feed_typed(GLFWwindow* handle, std::deque<Typed>& typed) {
-    std::vector<int> changed;
-    while (!typed.empty()) {
-        const Typed next = typed.front();
-        if (next.letter != 0) {
-            ImGui_ImplGlfw_CharCallback(handle, next.letter);
-        } else {
-            if (std::find(changed.begin(), changed.end(), next.key) != changed.end()) return;
-            changed.push_back(next.key);
-            ImGui_ImplGlfw_KeyCallback(handle, next.key, next.scancode, next.action,
-                                       next.modifiers);
-        }
-        typed.pop_front();
+/// What one frame has been given so far.
+struct FrameInput {
+    bool button_changed = false;
+    bool key_changed = false;
+    bool key_pressed = false;  ///< one that is no modifier
+    std::vector<int> buttons;
+    std::vector<int> keys;
+};
+
+bool is_modifier(int key) {
+    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
+/// Whether the event may follow what the frame has: nothing may change twice, the pointer stays
+/// where a button changed, a key is of another frame than a click before or after it, and the
+/// modifiers stay as they were when a key went down.
+bool fits(const HandEvent& event, const FrameInput& frame) {
+    const auto among = [](const std::vector<int>& changed, int one) {
+        return std::find(changed.begin(), changed.end(), one) != changed.end();
+    };
+    if (const auto* button = std::get_if<ButtonChange>(&event))
+        return !frame.key_changed && !among(frame.buttons, button->button);
+    if (const auto* key = std::get_if<KeyChange>(&event))
+        return !frame.button_changed && !among(frame.keys, key->key) &&
+               !(frame.key_pressed && (key->action == GLFW_RELEASE || is_modifier(key->key)));
+    return !frame.button_changed;
+}
+
+void give(GLFWwindow* handle, const HandEvent& event, Pointer& pointer, FrameInput& frame) {
+    if (const auto* move = std::get_if<PointerMove>(&event)) pointer.position = move->position;
+    if (const auto* button = std::get_if<ButtonChange>(&event)) {
+        pointer.down[static_cast<std::size_t>(button->button)] = button->down;
+        frame.button_changed = true;
+        frame.buttons.push_back(button->button);
     }
+    if (const auto* key = std::get_if<KeyChange>(&event)) {
+        ImGui_ImplGlfw_KeyCallback(handle, key->key, key->scancode, key->action, key->modifiers);
+        frame.key_changed = true;
+        frame.key_pressed |= key->action != GLFW_RELEASE && !is_modifier(key->key);
+        frame.keys.push_back(key->key);
+    }
+    if (const auto* letter = std::get_if<Letter>(&event))
+        ImGui_ImplGlfw_CharCallback(handle, letter->codepoint);
+}
+
+/// Dear ImGui 1.86 sees pointer and keys only as they are when a frame begins: in a slow frame a
+/// click, a drag or a key would be lost or come in the wrong order. So a frame gets as much as it
+/// can tell apart, and the next one the rest.
+void feed(GLFWwindow* handle, Events& events) {
+    FrameInput frame;
+    while (!events.hand.empty() && fits(events.hand.front(), frame)) {
+        give(handle, events.hand.front(), events.pointer, frame);
+        events.hand.pop_front();
+    }
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = events.pointer.position;
+    std::copy(events.pointer.down.begin(), events.pointer.down.end(), io.MouseDown);
 }
 
 }  // namespace
@@ -200,7 +263,7 @@ float Window::content_scale() const {
 }
 
 bool Window::take_input() {
-    return std::exchange(state_->events.input, false) || !state_->events.typed.empty();
+    return std::exchange(state_->events.input, false) || !state_->events.hand.empty();
 }
 
 std::vector<std::filesystem::path> Window::take_dropped() {
@@ -210,7 +273,7 @@ std::vector<std::filesystem::path> Window::take_dropped() {
 void Window::begin_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    feed_typed(state_->handle, state_->events.typed);
+    feed(state_->handle, state_->events);
     ImGui::NewFrame();
 }
 
