@@ -139,6 +139,7 @@ void install_callbacks(GLFWwindow* handle) {
 
 /// What one frame has been given so far.
 struct FrameInput {
+    bool moved = false;
     bool button_changed = false;
     bool key_changed = false;
     bool key_pressed = false;  ///< one that is no modifier
@@ -151,14 +152,15 @@ bool is_modifier(int key) {
 }
 
 /// Whether the event may follow what the frame has: nothing may change twice, the pointer stays
-/// where a button changed, a key is of another frame than a click before or after it, and the
-/// modifiers stay as they were when a key went down.
+/// where a button changed, the end of a drag is seen before the button goes up, a key is of another
+/// frame than a click before or after it, and the modifiers stay as they were when a key went down.
 bool fits(const HandEvent& event, const FrameInput& frame) {
     const auto among = [](const std::vector<int>& changed, int one) {
         return std::find(changed.begin(), changed.end(), one) != changed.end();
     };
     if (const auto* button = std::get_if<ButtonChange>(&event))
-        return !frame.key_changed && !among(frame.buttons, button->button);
+        return !frame.key_changed && !among(frame.buttons, button->button) &&
+               (button->down || !frame.moved);
     if (const auto* key = std::get_if<KeyChange>(&event))
         return !frame.button_changed && !among(frame.keys, key->key) &&
                !(frame.key_pressed && (key->action == GLFW_RELEASE || is_modifier(key->key)));
@@ -166,7 +168,10 @@ bool fits(const HandEvent& event, const FrameInput& frame) {
 }
 
 void give(GLFWwindow* handle, const HandEvent& event, Pointer& pointer, FrameInput& frame) {
-    if (const auto* move = std::get_if<PointerMove>(&event)) pointer.position = move->position;
+    if (const auto* move = std::get_if<PointerMove>(&event)) {
+        pointer.position = move->position;
+        frame.moved = true;
+    }
     if (const auto* button = std::get_if<ButtonChange>(&event)) {
         pointer.down[static_cast<std::size_t>(button->button)] = button->down;
         frame.button_changed = true;
