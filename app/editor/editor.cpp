@@ -143,10 +143,12 @@ Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
     return input;
 }
 
-void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout& layout) {
+/// @param quiet  what came of the last input has been drawn
+void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout& layout,
+                 bool quiet) {
     const ViewState& view = workspace.view();
     UiMap& map = ui.map;
-    map.set_fact("settled", workspace.session().settled() ? "yes" : "no");
+    map.set_fact("settled", quiet && workspace.session().settled() ? "yes" : "no");
     map.set_fact("document", shown.document ? shown.file_name : "");
     map.set_fact("edited", shown.edited ? "yes" : "no");
     map.set_fact("undo", shown.history.can_undo ? "yes" : "no");
@@ -164,7 +166,7 @@ void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout&
 }
 
 /// One frame. Returns the seconds to wait before the next; negative: until something happens.
-double draw_frame(Ui& ui, Window& window, Workspace& workspace) {
+double draw_frame(Ui& ui, Window& window, Workspace& workspace, bool quiet) {
     window.begin_frame();
     ui.begin_frame();
     Session& session = workspace.session();
@@ -183,7 +185,7 @@ double draw_frame(Ui& ui, Window& window, Workspace& workspace) {
         take_keys(ui, workspace, session.shown(view));
         if (!shown.toasts.empty()) ui.wake_in(0.5);
         ui.end_frame();
-        state_facts(ui, workspace, shown, layout);
+        state_facts(ui, workspace, shown, layout, quiet);
     }
     window.end_frame();
     // After the swap: who reads the map finds on screen what it says.
@@ -231,8 +233,8 @@ Status run_window(const Options& options) {
             if (const Status scaled = apply_scale(ui, window, next); !scaled) return scaled;
             frames_left = kSettlingFrames;
         }
-        wait_seconds = draw_frame(ui, window, workspace);
         if (frames_left > 0) --frames_left;
+        wait_seconds = draw_frame(ui, window, workspace, frames_left == 0);
         if (const std::string wanted = title_of(workspace.session()); wanted != title) {
             title = wanted;
             window.set_title(title);
