@@ -88,6 +88,7 @@ Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState
     requests.append(draw_viewport(ui, layout.viewport, shown, view));
     requests.append(draw_channel_strip(ui, layout.strip, shown, view));
     requests.append(draw_shelf(ui, layout.shelf, shown, view));
+    requests.append(carry_shelf_drag(ui, layout.viewport, layout.layers, shown, view));
     if (!layout.right.empty()) {
         if (layout.width_class == WidthClass::Narrow)
             requests.append(draw_narrow_left(ui, layout, shown, view));
@@ -111,7 +112,7 @@ void take_keys(const Ui& ui, Workspace& workspace, const Shown& shown) {
     if (view.view.compare == render::CompareMode::Split)
         view.view.divider = std::clamp(
             view.view.divider + 0.01f * static_cast<float>(pressed_divider_step()), 0.0f, 1.0f);
-    if (pressed_escape() && !view.layer_drag.moving) {
+    if (pressed_escape() && !view.layer_drag.moving && !view.shelf_drag.moving) {
         view.tool = ViewportTool::Move;
         view.crosshair.reset();
         view.solo = {};

@@ -9,6 +9,7 @@
 #include "editor/panels/blend_combo.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
+#include "editor/widgets/dragging.h"
 #include "editor/widgets/name_search.h"
 #include "editor/widgets/number_text.h"
 #include "editor/widgets/popup_menu.h"
@@ -17,7 +18,6 @@
 namespace patina::editor {
 namespace {
 
-constexpr float kDragStart = 4.0f;         // logical pixels before a press becomes a drag
 constexpr double kGroupOpenSeconds = 0.6;  // over a folded group, dragging
 
 struct Row {
@@ -226,24 +226,6 @@ void draw_insertion(const Ui& ui, const Rect& list, const DropTarget& target, bo
     ring(ui, x, target.y, 4, color, 2);
 }
 
-void draw_ghost(const Ui& ui, const Picture& thumbnail, const std::string& name) {
-    const ImVec2 mouse = ImGui::GetMousePos();
-    const float width = text_width(ui.fonts.body13, name) + ui.px(58);
-    const Rect box{mouse.x + ui.px(14), mouse.y + ui.px(8), mouse.x + ui.px(14) + width,
-                   mouse.y + ui.px(48)};
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(ImVec2(box.x0, box.y0), ImVec2(box.x1, box.y1), theme::kPopup, ui.px(4));
-    list.AddRect(ImVec2(box.x0, box.y0), ImVec2(box.x1, box.y1), theme::kBorder, ui.px(4));
-    if (thumbnail.texture != nullptr)
-        list.AddImageRounded(thumbnail.texture, ImVec2(box.x0 + ui.px(4), box.y0 + ui.px(4)),
-                             ImVec2(box.x0 + ui.px(36), box.y0 + ui.px(36)), thumbnail.uv0,
-                             thumbnail.uv1, IM_COL32_WHITE, ui.px(3));
-    const ImFont* font = ui.fonts.body13;
-    list.AddText(font, font->FontSize,
-                 ImVec2(box.x0 + ui.px(44), box.center_y() - 0.5f * font->FontSize), theme::kText,
-                 name.c_str());
-}
-
 /// Folded groups open when a drag rests on them.
 Requests open_hovered_group(Ui& ui, const Material& material, const std::vector<Row>& rows,
                             float top, LayerDrag& drag) {
@@ -297,8 +279,7 @@ Requests carry_drag(Ui& ui, const Rect& list, float top, const std::vector<Row>&
 void start_drag(const Ui& ui, const Press& pressed, const Row& row, ViewState& view) {
     if (pressed.started) view.layer_drag = {.layer = row.layer->id};
     if (!pressed.held || view.layer_drag.layer != row.layer->id) return;
-    const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
-    if (std::hypot(moved.x, moved.y) > kDragStart * ui.scale) view.layer_drag.moving = true;
+    if (drag_has_begun(ui)) view.layer_drag.moving = true;
 }
 
 // --- the panel -----------------------------------------------------------------------------------

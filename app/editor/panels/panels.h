@@ -19,6 +19,9 @@ Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
 Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_channel_strip(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_shelf(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+/// Carries what is dragged from the shelf: its ghost, and the drop on the model or the layer list.
+Requests carry_shelf_drag(Ui& ui, const Rect& viewport, const Rect& layers, const Shown& shown,
+                          ViewState& view);
 Requests draw_status_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 
 /// The right side: its tabs and the chosen one.

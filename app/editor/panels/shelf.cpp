@@ -7,6 +7,7 @@
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/combo.h"
+#include "editor/widgets/dragging.h"
 #include "editor/widgets/name_search.h"
 #include "editor/widgets/popup_menu.h"
 #include "editor/widgets/text_field.h"
@@ -91,6 +92,13 @@ class CardGrid {
     int count_ = 0;
 };
 
+/// Whether the card was clicked, and not dragged away or dropped again.
+bool clicked_or_dragged(const Ui& ui, const Press& pressed, ShelfDrag dragged, ViewState& view) {
+    if (pressed.started) view.shelf_drag = std::move(dragged);
+    if (pressed.held && drag_has_begun(ui)) view.shelf_drag.moving = true;
+    return pressed.clicked && !view.shelf_drag.moving;
+}
+
 bool shown_here(const Preset& preset, const ViewState& view) {
     if (!view.shelf_category.empty() && preset.category != view.shelf_category) return false;
     std::string where = preset.name;
@@ -128,13 +136,15 @@ Requests draw_presets(Ui& ui, const Rect& rect, const Shown& shown, ViewState& v
         for (const Preset* preset : shown.presets) {
             if (!shown_here(*preset, view)) continue;
             const std::string tooltip =
-                preset->description + "\nClick adds it, right click for more";
+                preset->description +
+                "\nClick adds it, drag lays it on a part, right click for more";
             const Press pressed = grid.add({.label = preset->name,
                                             .tooltip = tooltip,
                                             .picture = shown.thumbnails->preset(*preset),
                                             .enabled = shown.material != nullptr});
             ImGui::PushID(preset->id.c_str());
-            if (pressed.clicked) requests.ask(ApplyPreset{preset->id});
+            if (clicked_or_dragged(ui, pressed, {.what = preset->id}, view))
+                requests.ask(ApplyPreset{preset->id});
             if (pressed.right_clicked) ImGui::OpenPopup("preset menu");
             requests.append(preset_menu(ui, *preset));
             ImGui::PopID();
@@ -153,11 +163,13 @@ Requests draw_images(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vi
         if (shown.document)
             for (const auto& [hash, image] : shown.document->images) {
                 if (!name_matches(image->name, view.shelf_search)) continue;
-                const Press pressed = grid.add({.label = image->name,
-                                                .tooltip = "Click adds it as a layer",
-                                                .picture = shown.thumbnails->image(*image),
-                                                .round = false});
-                if (pressed.clicked) requests.ask(AddImageAsLayer{hash});
+                const Press pressed =
+                    grid.add({.label = image->name,
+                              .tooltip = "Click adds it as a layer, drag lays it on a part",
+                              .picture = shown.thumbnails->image(*image),
+                              .round = false});
+                if (clicked_or_dragged(ui, pressed, {.what = hash}, view))
+                    requests.ask(AddImageAsLayer{hash});
             }
         count = grid.count();
     }

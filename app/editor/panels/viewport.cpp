@@ -242,7 +242,8 @@ std::optional<Scale> scale_of(const render::View& view) {
 }
 
 void draw_scale(Ui& ui, const Rect& rect, const Scale& scale) {
-    const Rect box{rect.x1 - ui.px(8 + 180), rect.y1 - ui.px(8 + 60), rect.x1 - ui.px(8),
+    const float width = scale.heat ? 236.0f : 180.0f;
+    const Rect box{rect.x1 - ui.px(8 + width), rect.y1 - ui.px(8 + 60), rect.x1 - ui.px(8),
                    rect.y1 - ui.px(8)};
     fill(ui, box, theme::kOverlay, 4);
     Rect inner = box.inset(ui.px(10), ui.px(8));

@@ -141,7 +141,8 @@ Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     fill(ui, rect, theme::kPanel, 6, ImDrawFlags_RoundCornersTop);
     render::View& view = state.view;
     const float logical = rect.width() / ui.scale;
-    const bool wide = logical >= 1080;
+    // Two shadings take the room of a combo and a button more.
+    const bool wide = logical >= (view.compare == render::CompareMode::Single ? 1080 : 1260);
     Rect rest = rect.inset(ui.px(8), 0);
     mode_segments(ui, rest, wide, view);
     rest.cut_left(ui.px(6));

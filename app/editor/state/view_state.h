@@ -7,7 +7,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 
+#include "core/hash.h"
 #include "document/document.h"
 #include "render/view.h"
 
@@ -53,6 +55,12 @@ struct LayerDrag {
     double over_since = 0.0;  ///< when it came under the pointer, in seconds
 };
 
+/// A preset or image of the shelf under way to the model or the layer list.
+struct ShelfDrag {
+    std::variant<std::monostate, std::string, Hash128> what;  ///< preset id or image
+    bool moving = false;  ///< the pointer has left the 4 px around where it went down
+};
+
 struct ViewState {
     MaterialId material;
     LayerId layer;
@@ -73,6 +81,7 @@ struct ViewState {
     std::optional<std::string> layer_search;
     std::optional<std::string> material_search;
     LayerDrag layer_drag;
+    ShelfDrag shelf_drag;
     LayerId renaming_layer;
     MaterialId renaming_material;
     /// The pixel of the viewport that is explained, in shares of the picture; unset: none.
