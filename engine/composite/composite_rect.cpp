@@ -57,8 +57,8 @@ RowCompositor::RowCompositor(const CompositeJob& job, ChannelBits wanted, bool r
     for (const CachePoint& point : job.caches)
         if (point.read) height_run_.caches.push_back(point);
     if (!relief) return;
-    for (std::vector<float>& row : heights_)
-        row.resize(static_cast<std::size_t>(job.rect.x1 - job.rect.x0 + 2 + kMaxLanes));
+    const auto width = static_cast<std::size_t>(job.rect.x1 - job.rect.x0);
+    for (std::vector<float>& row : heights_) row.resize(width + 2 + kMaxLanes);
 }
 
 template <typename Visit>

@@ -52,21 +52,26 @@ enum class OpCode : std::uint8_t {
     BlendGroup,
 };
 
-/// Flags of an operation.
-enum : std::uint8_t {
-    kUsesMask = 1,       ///< the weight is scaled by the mask of this depth
-    kFirst = 2,          ///< MaskEntry: nothing lies below; the entry is the mask.
-                         ///< Blend: the source replaces the accumulator; its coverage is the weight
-    kInvert = 4,         ///< MaskEntry: of the entry; MaskEnd: of the mask
-    kLevels = 8,         ///< MaskEntry: levels differ from the identity
-    kEncoded = 16,       ///< colours are sRGB-encoded while this blends
-    kChildEncoded = 32,  ///< BlendGroup: the colour that the group accumulated is sRGB-encoded
-};
+/// Bits of Operation::flags.
+using OperationFlags = std::uint8_t;
+/// The weight is scaled by the mask of this depth.
+inline constexpr OperationFlags kUsesMask = 1;
+/// MaskEntry: nothing lies below; the entry is the mask. Blend: the source replaces the
+/// accumulator; its coverage is the weight.
+inline constexpr OperationFlags kFirst = 2;
+/// MaskEntry: of the entry; MaskEnd: of the mask.
+inline constexpr OperationFlags kInvert = 4;
+/// MaskEntry: levels differ from the identity.
+inline constexpr OperationFlags kLevels = 8;
+/// Colours are sRGB-encoded while this blends.
+inline constexpr OperationFlags kEncoded = 16;
+/// BlendGroup: the colour that the group accumulated is sRGB-encoded.
+inline constexpr OperationFlags kChildEncoded = 32;
 
 struct Operation {
     OpCode code = OpCode::Blend;
     std::uint8_t depth = 0;
-    std::uint8_t flags = 0;
+    OperationFlags flags = 0;
     ChannelBits channels = 0;  ///< needed when any of these is wanted
     Channel channel = Channel::BaseColor;
     BlendMode mode = BlendMode::Normal;

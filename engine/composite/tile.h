@@ -57,7 +57,7 @@ class TilePlanes {
         return first;
     }
     int scratch() const { return static_cast<int>(memory_.size()) / kTileTexels - kScratchPlanes; }
-    float* plane(int index) { return memory_.data() + index * kTileTexels; }
+    float* plane(int index) { return memory_.data() + std::ptrdiff_t{index} * kTileTexels; }
 
     PixelVector<float> memory_;
 };

@@ -118,7 +118,9 @@ class DocumentReader {
         const gltf::Material& material = parts_.model.materials[index];
         for (const auto& [map, hash] : record.baked) {
             const auto slots = slots_of_map(material, map);
-            const auto shows = [&](const TextureUse* use) { return shows_image(*use, hash); };
+            const auto shows = [&, &baked = hash](const TextureUse* use) {
+                return shows_image(*use, baked);
+            };
             if (!slots.empty() && std::none_of(slots.begin(), slots.end(), shows)) return true;
         }
         // An image of a layer that has gone from the file was painted over or thrown away.

@@ -126,8 +126,8 @@ void write_filtered(const std::uint8_t* row, const std::uint8_t* previous, std::
     for (std::size_t k = 0; i + k < row_bytes; ++k) out[i + k] = last[k];
 }
 
-void FilterRow(const std::uint8_t* row, const std::uint8_t* previous, std::size_t row_bytes,
-               std::size_t pixel_bytes, std::uint8_t* out) {
+void filter_row_in_lanes(const std::uint8_t* row, const std::uint8_t* previous,
+                         std::size_t row_bytes, std::size_t pixel_bytes, std::uint8_t* out) {
     const Costs costs = costs_of(row, previous, row_bytes, pixel_bytes);
     std::uint8_t best = 0;
     for (std::uint8_t filter = 1; filter < 5; ++filter)
@@ -153,11 +153,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace patina::io {
 
-HWY_EXPORT(FilterRow);
+HWY_EXPORT(filter_row_in_lanes);
 
 void filter_png_row(const std::uint8_t* row, const std::uint8_t* previous, std::size_t row_bytes,
                     std::size_t pixel_bytes, std::uint8_t* out) {
-    HWY_DYNAMIC_DISPATCH(FilterRow)(row, previous, row_bytes, pixel_bytes, out);
+    HWY_DYNAMIC_DISPATCH(filter_row_in_lanes)(row, previous, row_bytes, pixel_bytes, out);
 }
 
 }  // namespace patina::io

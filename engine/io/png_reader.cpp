@@ -21,14 +21,14 @@ using ByteSpan = std::span<const std::byte>;
 constexpr std::size_t kSignatureBytes = 8;
 constexpr std::uint32_t kLargestLength = 0x7FFFFFFF;
 
-enum ColorType : std::uint8_t { kGrey = 0, kRgb = 2, kPalette = 3, kGreyAlpha = 4, kRgba = 6 };
+enum ColorType : std::uint8_t { Grey = 0, Rgb = 2, Palette = 3, GreyAlpha = 4, Rgba = 6 };
 
 /// What the chunks before the pixels say, and where the pixels are.
 struct PngFile {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     int bit_depth = 0;
-    ColorType color_type = kGrey;
+    ColorType color_type = Grey;
     bool interlaced = false;
     std::array<std::array<std::uint8_t, 4>, 256> palette = {};  ///< RGBA; opaque black beyond it
     std::size_t palette_size = 0;
@@ -39,20 +39,20 @@ struct PngFile {
     /// Samples of a pixel as they are stored.
     int stored_channels() const {
         switch (color_type) {
-            case kGrey:
-            case kPalette:
+            case Grey:
+            case Palette:
                 return 1;
-            case kGreyAlpha:
+            case GreyAlpha:
                 return 2;
-            case kRgb:
+            case Rgb:
                 return 3;
-            case kRgba:
+            case Rgba:
                 return 4;
         }
         return 1;
     }
     int channels() const {
-        const int colors = color_type == kPalette ? 3 : stored_channels();
+        const int colors = color_type == Palette ? 3 : stored_channels();
         return colors + (has_transparency ? 1 : 0);
     }
     SampleType sample_type() const { return bit_depth == 16 ? SampleType::U16 : SampleType::U8; }
@@ -83,13 +83,13 @@ bool is_allowed(int color_type, int bit_depth) {
     const bool is_power = bit_depth == 1 || bit_depth == 2 || bit_depth == 4;
     const bool is_byte = bit_depth == 8;
     switch (color_type) {
-        case kGrey:
+        case Grey:
             return is_power || is_byte || bit_depth == 16;
-        case kPalette:
+        case Palette:
             return is_power || is_byte;
-        case kRgb:
-        case kGreyAlpha:
-        case kRgba:
+        case Rgb:
+        case GreyAlpha:
+        case Rgba:
             return is_byte || bit_depth == 16;
         default:
             return false;
@@ -124,11 +124,11 @@ Status read_palette(ByteSpan data, PngFile& png) {
 
 /// Chunks of transparency that do not fit the image are ignored, as they are elsewhere.
 void read_transparency(ByteSpan data, PngFile& png) {
-    if (png.color_type == kPalette) {
+    if (png.color_type == Palette) {
         for (std::size_t i = 0; i < std::min(data.size(), png.palette.size()); ++i)
             png.palette[i][3] = std::to_integer<std::uint8_t>(data[i]);
         png.has_transparency = true;
-    } else if (png.color_type == kGrey || png.color_type == kRgb) {
+    } else if (png.color_type == Grey || png.color_type == Rgb) {
         const auto samples = static_cast<std::size_t>(png.stored_channels());
         if (data.size() != 2 * samples) return;
         for (std::size_t i = 0; i < samples; ++i)
@@ -192,7 +192,7 @@ Result<PngFile> read_chunks(ByteSpan encoded, bool with_pixels) {
             read_transparency(chunk->data, png);
         }
     }
-    if (png.color_type == kPalette && png.palette_size == 0)
+    if (png.color_type == Palette && png.palette_size == 0)
         return failure("PNG: the palette is missing");
     return png;
 }
@@ -291,7 +291,7 @@ void expand_row_16(const PngFile& png, const std::uint8_t* row, std::size_t pixe
 
 void expand_row(const PngFile& png, const std::uint8_t* row, std::size_t pixels,
                 std::uint8_t* out) {
-    if (png.color_type == kPalette) return expand_palette_row(png, row, pixels, out);
+    if (png.color_type == Palette) return expand_palette_row(png, row, pixels, out);
     if (png.bit_depth == 16) return expand_row_16(png, row, pixels, out);
     if (png.bit_depth < 8 || png.has_transparency) return expand_row_8(png, row, pixels, out);
     std::memcpy(out, row, png.stored_row_bytes(static_cast<std::uint32_t>(pixels)));

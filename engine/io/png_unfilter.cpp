@@ -8,7 +8,7 @@
 namespace patina::io {
 namespace {
 
-enum Filter : std::uint8_t { kNone, kSub, kUp, kAverage, kPaeth };
+enum Filter : std::uint8_t { None, Sub, Up, Average, Paeth };
 
 std::uint8_t paeth(int left, int above, int above_left) {
     const int to_left = std::abs(above - above_left);
@@ -36,17 +36,17 @@ void unfilter(Filter filter, std::uint8_t* row, const std::uint8_t* above, std::
         }
     };
     switch (filter) {
-        case kNone:
+        case None:
             return;
-        case kSub:
+        case Sub:
             return each_pixel([](int a, int, int) { return a; });
-        case kUp:
+        case Up:
             for (std::size_t i = 0; i < row_bytes; ++i)
                 row[i] = static_cast<std::uint8_t>(row[i] + above[i]);
             return;
-        case kAverage:
+        case Average:
             return each_pixel([](int a, int b, int) { return (a + b) / 2; });
-        case kPaeth:
+        case Paeth:
             return each_pixel(paeth);
     }
 }
@@ -55,7 +55,7 @@ void unfilter(Filter filter, std::uint8_t* row, const std::uint8_t* above, std::
 
 bool unfilter_png_row(std::uint8_t filter_byte, std::uint8_t* row, const std::uint8_t* above,
                       std::size_t row_bytes, std::size_t pixel_bytes) {
-    if (filter_byte > kPaeth) return false;
+    if (filter_byte > Paeth) return false;
     const auto filter = static_cast<Filter>(filter_byte);
     switch (pixel_bytes) {
         case 1:

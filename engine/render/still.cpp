@@ -100,8 +100,8 @@ Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int sampl
                                                   static_cast<std::size_t>(from_bottom) *
                                                   static_cast<std::size_t>(size.width);
             std::byte* out = image.data.data() + static_cast<std::size_t>(y) * image.row_bytes();
-            for (int x = 0; x < size.width; ++x)
-                encode_pixel(row + 4 * x, dithered ? dither(x, from_bottom) : 0.0f, out + 4 * x);
+            for (int x = 0; x < size.width; ++x, row += 4, out += 4)
+                encode_pixel(row, dithered ? dither(x, from_bottom) : 0.0f, out);
         }
     });
     return image;

@@ -366,7 +366,8 @@ Primitive rounded_cube() {
                               CubeSide{-x, z, -y}, CubeSide{y, x, z},   CubeSide{-y, x, -z}};
     Primitive primitive;
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const glm::vec2 cell(static_cast<float>(i % 3), static_cast<float>(i / 3));
+        const std::size_t row = i / 3;
+        const glm::vec2 cell(static_cast<float>(i % 3), static_cast<float>(row));
         add_cube_side(primitive, sides[i], (cell + 0.5f) * kCell, 0.5f * kCell - kChartGap);
     }
     primitive.source_material = 0;

@@ -57,7 +57,7 @@ class CardGrid {
         : ui_(ui), area_(ui, "cards", rect), content_(area_.content()) {
         const bool wide = rect.width() / ui.scale > 900;
         side_ = ui.px(wide ? 80 : 60);
-        width_ = ui.px(wide ? 100 : 100);
+        width_ = ui.px(100);
         height_ = side_ + ui.px(34);
         const float room = content_.width() - ui.px(16);
         columns_ = std::max(1, static_cast<int>(room / width_));
@@ -72,7 +72,8 @@ class CardGrid {
 
     Press add(const CardSpec& spec) {
         const auto column = static_cast<float>(count_ % columns_);
-        const auto row = static_cast<float>(count_ / columns_);
+        const int rows_before = count_ / columns_;
+        const auto row = static_cast<float>(rows_before);
         ++count_;
         const float x = content_.x0 + ui_.px(8) + column * step_;
         const float y = content_.y0 + ui_.px(6) + row * (height_ + ui_.px(4));
