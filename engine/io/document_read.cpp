@@ -11,7 +11,6 @@
 namespace patina::io {
 namespace {
 
-using gltf::Model;
 using gltf::TextureUse;
 
 /// The slots of a glTF material that may show a baked map, by the map's id in records.
