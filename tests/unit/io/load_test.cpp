@@ -104,16 +104,16 @@ TEST(Load, TurnsStripsAndFansIntoTrianglesThatFaceTheSameWay) {
     auto sample = test::sample_gltf();
     sample.binary.clear();
     test::append<float>(sample.binary, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
-    sample.json["bufferViews"] = {test::view(0, 60)};
+    sample.json["bufferViews"] = Json::array({test::view(0, 60)});
     sample.json["buffers"][0]["byteLength"] = 60;
-    sample.json["accessors"] = {test::accessor(0, 5126, 5, "VEC3")};
+    sample.json["accessors"] = Json::array({test::accessor(0, 5126, 5, "VEC3")});
     for (const char* member :
          {"skins", "animations", "images", "textures", "materials", "extensions", "cameras"})
         sample.json.erase(member);
     sample.json["nodes"] = {{{"mesh", 0}}};
     sample.json["scenes"] = {{{"nodes", {0}}}};
     Json primitive = {{"attributes", {{"POSITION", 0}}}, {"mode", 5}};
-    sample.json["meshes"] = {{{"primitives", {primitive}}}};
+    sample.json["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
     auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
     EXPECT_EQ(first_primitive(loaded).indices.size(), 9u);

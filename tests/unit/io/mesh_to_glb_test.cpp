@@ -51,7 +51,8 @@ TEST(MeshToGlb, KeepsEveryNumberOfTheMesh) {
     const Mesh mesh = shape_mesh(Shape::ShaderBall);
     const Bytes glb = mesh_to_glb(mesh, kMaterials);
     const auto [json, binary] = opened(glb);
-    const auto expect_same = [&](const nlohmann::json& accessor_index, const auto& values) {
+    const auto expect_same = [&json = json, &binary = binary](const nlohmann::json& accessor_index,
+                                                              const auto& values) {
         const auto& accessor = json["accessors"][accessor_index.get<std::size_t>()];
         const auto& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
         ASSERT_EQ(accessor["count"], values.size());
