@@ -6,21 +6,6 @@
 namespace patina {
 namespace {
 
-BakedMap baked_map_of(Slot slot) {
-    switch (slot) {
-        case Slot::BaseColor:
-            return BakedMap::BaseColor;
-        case Slot::MetallicRoughness:
-        case Slot::Occlusion:
-            return BakedMap::OcclusionRoughnessMetalness;
-        case Slot::Normal:
-            return BakedMap::Normal;
-        case Slot::Emissive:
-            return BakedMap::Emissive;
-    }
-    return BakedMap::BaseColor;
-}
-
 constexpr int kLargestSide = 16384;
 
 }  // namespace

@@ -29,6 +29,22 @@ inline constexpr std::array<std::string_view, kBakedMapCount> kBakedMapIds = {
 enum class Slot : std::uint8_t { BaseColor, MetallicRoughness, Normal, Occlusion, Emissive };
 inline constexpr int kSlotCount = 5;
 
+/// The baked map that holds a slot's numbers.
+constexpr BakedMap baked_map_of(Slot slot) {
+    switch (slot) {
+        case Slot::BaseColor:
+            return BakedMap::BaseColor;
+        case Slot::MetallicRoughness:
+        case Slot::Occlusion:
+            return BakedMap::OcclusionRoughnessMetalness;
+        case Slot::Normal:
+            return BakedMap::Normal;
+        case Slot::Emissive:
+            return BakedMap::Emissive;
+    }
+    return BakedMap::BaseColor;
+}
+
 /// The slot needs no texture: glTF factors. BaseColor: linear RGB + alpha; MetallicRoughness: y
 /// roughness, z metalness; Occlusion: x; Emissive: linear RGB. Normal: none (flat).
 struct SlotConstant {

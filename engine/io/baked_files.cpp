@@ -63,21 +63,6 @@ Result<EncodedMaps> bake_and_encode(const Program& program, ImageProvider& image
     return encoded;
 }
 
-BakedMap map_of(Slot slot) {
-    switch (slot) {
-        case Slot::BaseColor:
-            return BakedMap::BaseColor;
-        case Slot::MetallicRoughness:
-        case Slot::Occlusion:
-            return BakedMap::OcclusionRoughnessMetalness;
-        case Slot::Normal:
-            return BakedMap::Normal;
-        case Slot::Emissive:
-            return BakedMap::Emissive;
-    }
-    return BakedMap::BaseColor;
-}
-
 glm::vec4 mean_factor(const Image& map, Slot slot) {
     if (slot == Slot::Normal || slot == Slot::Occlusion) return glm::vec4(1.0f);
     const bool color = slot == Slot::BaseColor || slot == Slot::Emissive;

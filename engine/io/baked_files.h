@@ -23,9 +23,6 @@ using EncodedMaps = std::array<std::shared_ptr<const EncodedMap>, kBakedMapCount
 Result<EncodedMaps> bake_and_encode(const Program& program, ImageProvider& images, int size,
                                     const std::vector<BakedMap>& wanted, const Progress& progress);
 
-/// The map that a slot is baked into.
-BakedMap map_of(Slot slot);
-
 /// The mean of what a slot reads of its map, as the slot's factor (SlotStatement::factor): colours
 /// in linear light.
 glm::vec4 mean_factor(const Image& map, Slot slot);

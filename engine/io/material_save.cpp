@@ -98,7 +98,7 @@ class MaterialWriter {
             if (const auto* image = std::get_if<SlotImage>(&slots_[as_index(slot)]))
                 if (const ImageAsset* asset = find_asset(image->source.image);
                     !asset || !fits_gltf(*asset))
-                    slots_[as_index(slot)] = SlotBaked{map_of(slot)};
+                    slots_[as_index(slot)] = SlotBaked{baked_map_of(slot)};
         find_changed_slots();
         for (const Slot slot : kSlots) {
             if (is_baked(slot)) shown_uv_sets_.insert(now_.uv_set);
@@ -144,8 +144,8 @@ class MaterialWriter {
         std::set<BakedMap> wanted;
         for (const Slot slot : kSlots) {
             const bool varies = !std::holds_alternative<SlotConstant>(slots_[as_index(slot)]);
-            if (is_baked(slot) && changed_[as_index(slot)]) wanted.insert(map_of(slot));
-            if (varies && needs_stand_in_ && averaged(slot)) wanted.insert(map_of(slot));
+            if (is_baked(slot) && changed_[as_index(slot)]) wanted.insert(baked_map_of(slot));
+            if (varies && needs_stand_in_ && averaged(slot)) wanted.insert(baked_map_of(slot));
         }
         auto maps = bake_and_encode(program_, save_.pixels, save_.size.value_or(now_.resolution),
                                     {wanted.begin(), wanted.end()}, save_.progress);
@@ -194,7 +194,7 @@ class MaterialWriter {
         }
         // The wrap modes of the slot stay; a slot that had no texture wraps like the base colour.
         const int like = current >= 0 ? current : slot_texture(json_, Slot::BaseColor);
-        const BakedMap map = map_of(slot);
+        const BakedMap map = baked_map_of(slot);
         const int index =
             save_.images.add_image(fmt::format("{} {}", now_.name, kBakedMapIds[as_index(map)]),
                                    "image/png", maps_[as_index(map)]->png);
@@ -230,9 +230,9 @@ class MaterialWriter {
             if (const ImageAsset* asset = find_asset(image.hash)) image.file = file_beside(*asset);
         for (const Slot slot : kSlots) {
             if (!is_baked(slot)) continue;
-            const std::string id(kBakedMapIds[as_index(map_of(slot))]);
+            const std::string id(kBakedMapIds[as_index(baked_map_of(slot))]);
             if (changed_[as_index(slot)])
-                record.baked[id] = maps_[as_index(map_of(slot))]->pixels;
+                record.baked[id] = maps_[as_index(baked_map_of(slot))]->pixels;
             else if (old_record_ && old_record_->baked.contains(id))
                 record.baked.try_emplace(id, old_record_->baked.at(id));
         }
@@ -260,7 +260,7 @@ class MaterialWriter {
         for (const Slot slot : kSlots) {
             const bool varies = !std::holds_alternative<SlotConstant>(slots_[as_index(slot)]);
             if (!varies || !averaged(slot)) continue;
-            const Image& map = *maps_[as_index(map_of(slot))]->image;
+            const Image& map = *maps_[as_index(baked_map_of(slot))]->image;
             state_slot(plain, slot, {.texture = {}, .factor = mean_factor(map, slot)});
         }
         plain["name"] = now_.name + " (no UVs)";

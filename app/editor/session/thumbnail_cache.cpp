@@ -26,29 +26,13 @@ Result<Image> base_color_picture(const Material& material, ImageProvider& images
     return Image(*(*maps)[BakedMap::BaseColor]);
 }
 
-/// The map that holds a slot's numbers.
-BakedMap map_of(Slot slot) {
-    switch (slot) {
-        case Slot::BaseColor:
-            return BakedMap::BaseColor;
-        case Slot::MetallicRoughness:
-        case Slot::Occlusion:
-            return BakedMap::OcclusionRoughnessMetalness;
-        case Slot::Normal:
-            return BakedMap::Normal;
-        case Slot::Emissive:
-            return BakedMap::Emissive;
-    }
-    return BakedMap::BaseColor;
-}
-
 /// Small maps for everything that is not constant, untouched images included.
 Result<render::SurfaceMaterial> small_surface(const Material& material, ImageProvider& images) {
     const Program program = Program::compile(material);
     std::array<SlotPlan, kSlotCount> slots = program.slots();
     for (std::size_t i = 0; i < slots.size(); ++i)
         if (std::holds_alternative<SlotImage>(slots[i]))
-            slots[i] = SlotBaked{map_of(static_cast<Slot>(i))};
+            slots[i] = SlotBaked{baked_map_of(static_cast<Slot>(i))};
     MapSet maps;
     const std::vector<BakedMap> needed = render::baked_maps_of(slots);
     if (!needed.empty()) {
