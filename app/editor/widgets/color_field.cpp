@@ -154,6 +154,31 @@ std::optional<glm::vec3> hex_field(Ui& ui, const Rect& rect, const glm::vec3& li
     return std::nullopt;
 }
 
+/// What is in the popup: plane, hue, numbers, and the hexadecimal name.
+std::optional<glm::vec3> picker(Ui& ui, Rect rest, const glm::vec3& color_linear) {
+    const Place place(ui, "Colour");
+    const glm::vec3 srgb = encoded(color_linear);
+    const Hsv hsv = remembered_hsv(srgb);
+    std::optional<glm::vec3> result;
+    if (const auto next = saturation_value_square(ui, rest.cut_top(ui.px(150)), hsv))
+        result = decoded(srgb_of(*next));
+    rest.cut_top(ui.px(8));
+    if (const auto next = hue_bar(ui, rest.cut_top(ui.px(14)), hsv))
+        result = decoded(srgb_of(*next));
+    rest.cut_top(ui.px(10));
+    if (const auto next = component_fields(ui, rest.cut_top(ui.px(24)), srgb))
+        result = decoded(*next);
+    rest.cut_top(ui.px(6));
+    Rect last = rest.cut_top(ui.px(24));
+    fill(ui, last.cut_left(ui.px(48)), packed(srgb), 4);
+    last.cut_left(ui.px(6));
+    if (const auto next = hex_field(ui, last, color_linear)) {
+        result = *next;
+        ui.edit_ended = true;
+    }
+    return result;
+}
+
 }  // namespace
 
 ImU32 screen_color(const glm::vec3& color_linear) {
@@ -193,29 +218,9 @@ std::optional<glm::vec3> color_popup(Ui& ui, const Rect& anchor, const glm::vec3
     ImGui::SetNextWindowSize(ImVec2(ui.px(248), ui.px(264)));
     if (!ImGui::BeginPopup("color", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav))
         return std::nullopt;
-    const Place place(ui, "Colour");
     const ImVec2 corner = ImGui::GetWindowPos();
-    Rect rest =
-        Rect{corner.x, corner.y, corner.x + ui.px(248), corner.y + ui.px(264)}.inset(ui.px(12));
-    const glm::vec3 srgb = encoded(color_linear);
-    const Hsv hsv = remembered_hsv(srgb);
-    std::optional<glm::vec3> result;
-    if (const auto next = saturation_value_square(ui, rest.cut_top(ui.px(150)), hsv))
-        result = decoded(srgb_of(*next));
-    rest.cut_top(ui.px(8));
-    if (const auto next = hue_bar(ui, rest.cut_top(ui.px(14)), hsv))
-        result = decoded(srgb_of(*next));
-    rest.cut_top(ui.px(10));
-    if (const auto next = component_fields(ui, rest.cut_top(ui.px(24)), srgb))
-        result = decoded(*next);
-    rest.cut_top(ui.px(6));
-    Rect last = rest.cut_top(ui.px(24));
-    fill(ui, last.cut_left(ui.px(48)), packed(srgb), 4);
-    last.cut_left(ui.px(6));
-    if (const auto next = hex_field(ui, last, color_linear)) {
-        result = *next;
-        ui.edit_ended = true;
-    }
+    const Rect box{corner.x, corner.y, corner.x + ui.px(248), corner.y + ui.px(264)};
+    const std::optional<glm::vec3> result = picker(ui, box.inset(ui.px(12)), color_linear);
     ImGui::EndPopup();
     return result;
 }
