@@ -143,6 +143,8 @@ ThumbnailCache::~ThumbnailCache() {
 void ThumbnailCache::set_images(std::shared_ptr<ImageProvider> images) {
     images_ = std::move(images);
     const std::lock_guard lock(mutex_);
+    // What is still wanted is asked for again when it is drawn.
+    for (const Request& request : requests_) entries_.erase(request.key);
     requests_.clear();
 }
 
