@@ -9,10 +9,12 @@
 namespace patina::editor {
 namespace {
 
+constexpr double kCaretSeconds = 0.4;  // it blinks
+
 /// An InputText that sits in the middle of `rect` with the given font and no frame of its own.
 class BareInput {
   public:
-    BareInput(Ui& ui, const Rect& rect, const ImFont* font, float padding) {
+    BareInput(Ui& ui, const Rect& rect, const ImFont* font, float padding) : ui_(ui) {
         ImGui::PushFont(const_cast<ImFont*>(font));
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                             ImVec2(padding, 0.5f * (rect.height() - font->FontSize)));
@@ -22,15 +24,18 @@ class BareInput {
         ImGui::PushStyleColor(ImGuiCol_TextDisabled, theme::kText3);
         ImGui::SetCursorScreenPos(ImVec2(rect.x0, rect.y0));
         ImGui::SetNextItemWidth(rect.width());
-        ui.wake_in(0.4);  // the caret blinks
     }
     ~BareInput() {
+        if (ImGui::IsItemActive()) ui_.wake_in(kCaretSeconds);
         ImGui::PopStyleColor(4);
         ImGui::PopStyleVar();
         ImGui::PopFont();
     }
     BareInput(const BareInput&) = delete;
     BareInput& operator=(const BareInput&) = delete;
+
+  private:
+    Ui& ui_;
 };
 
 }  // namespace
