@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/dialogs/modal.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,6 +21,10 @@ Modal::Modal(Ui& ui, const Description& description, std::function<bool()> still
     ImGui::SetNextWindowPos(ImVec2(x, y));
     ImGui::SetNextWindowSize(ImVec2(w, h));
     ImGui::PushStyleColor(ImGuiCol_PopupBg, theme::kPopup);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+    // Dear ImGui would dim what is behind over many frames; nothing here animates.
+    ImGui::GetCurrentContext()->DimBgRatio = 1.0f;
     if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
     ImGui::BeginPopupModal(name, nullptr,
                            ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -32,6 +38,7 @@ Modal::~Modal() {
     // Dear ImGui keeps a popup that is no longer drawn in its list of open ones.
     if (!still_open_()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
 }
 
