@@ -5,27 +5,18 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <chrono>
-#include <cstdlib>
-#include <random>
-
 #include "io/load.h"
-#include "sample_gltf.h"
-#include "temporary_folder.h"
+#include "io/sample_gltf.h"
+#include "io/temporary_folder.h"
+#include "quiet_load.h"
 
 namespace patina::io {
 namespace {
 
+using test::expect_one_clean_line;
 using test::Json;
+using test::kSecret;
 using testing::HasSubstr;
-
-constexpr const char* kSecret = "CANARY-5f3a";
-
-void expect_one_clean_line(const std::string& message) {
-    for (const char c : message) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << message;
-    EXPECT_LT(message.size(), 1000u);
-    EXPECT_EQ(message.find(kSecret), std::string::npos);
-}
 
 /// A model in a folder beside which a secret lies, reached in every way that files have tried.
 class HostileUri : public testing::Test {
@@ -203,71 +194,6 @@ TEST(HostileFile, ThatIsNoModelIsRefusedInOneLine) {
     EXPECT_FALSE(load_document("/").has_value());
     EXPECT_FALSE(load_document("/dev/zero").has_value());
     EXPECT_FALSE(load_document("/no/such/file.glb").has_value());
-}
-
-/// Loads what may be anything; only the manner of a refusal is checked.
-void load_quietly(Bytes file) {
-    LoadLimits limits;
-    limits.decoded_image_bytes = std::uint64_t{64} << 20;
-    limits.geometry_bytes = std::uint64_t{64} << 20;
-    const auto loaded = load_document_from_memory(std::move(file), "model.glb", limits);
-    if (!loaded)
-        expect_one_clean_line(loaded.error().message);
-    else
-        for (const std::string& warning : loaded->warnings) expect_one_clean_line(warning);
-}
-
-TEST(DamagedFile, CutOffAnywhereNeverCrashes) {
-    const Bytes glb = test::sample_gltf().glb();
-    for (std::size_t size = 0; size < glb.size(); ++size)
-        load_quietly(Bytes(glb.begin(), glb.begin() + static_cast<std::ptrdiff_t>(size)));
-}
-
-TEST(DamagedFile, CutOffAnywhereWithRepairedLengthsNeverCrashes) {
-    const auto sample = test::sample_gltf();
-    for (std::size_t size = 0; size < sample.binary.size(); ++size)
-        load_quietly(test::make_glb(
-            sample.json.dump(), Bytes(sample.binary.begin(),
-                                      sample.binary.begin() + static_cast<std::ptrdiff_t>(size))));
-}
-
-/// Changes a few bytes or digits of the text, or bytes of the data.
-Bytes mutant(const test::SampleGltf& sample, std::mt19937_64& random) {
-    std::string text = sample.json.dump();
-    Bytes binary = sample.binary;
-    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-    const std::size_t changes = 1 + below(3);
-    for (std::size_t i = 0; i < changes; ++i) {
-        switch (below(4)) {
-            case 0:
-                binary[below(binary.size())] = static_cast<std::byte>(random());
-                break;
-            case 1:
-                text[below(text.size())] = static_cast<char>(random());
-                break;
-            case 2:
-                text.erase(below(text.size()), 1 + below(4));
-                break;
-            default: {
-                std::size_t at = text.find_first_of("0123456789", below(text.size()));
-                if (at == std::string::npos) break;
-                constexpr std::array kNumbers = {"-1",  "99",  "4294967295",
-                                                 "1e9", "0.5", "2147483647"};
-                text.replace(at, 1, kNumbers[below(kNumbers.size())]);
-            }
-        }
-    }
-    return test::make_glb(text, binary);
-}
-
-/// PATINA_MUTANTS sets how many (nightly: 100 000), PATINA_MUTANT_SEED where they begin.
-TEST(DamagedFile, ChangedAtRandomNeverCrashes) {
-    const char* const count = std::getenv("PATINA_MUTANTS");
-    const char* const seed = std::getenv("PATINA_MUTANT_SEED");
-    std::mt19937_64 random(seed ? std::strtoull(seed, nullptr, 10) : 1);
-    const auto sample = test::sample_gltf();
-    for (long i = 0; i < (count ? std::atol(count) : 600); ++i)
-        load_quietly(mutant(sample, random));
 }
 
 }  // namespace
