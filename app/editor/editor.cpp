@@ -149,7 +149,13 @@ void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout&
                  bool quiet) {
     const ViewState& view = workspace.view();
     UiMap& map = ui.map;
-    map.set_fact("settled", quiet && workspace.session().settled() ? "yes" : "no");
+    const bool held = ImGui::IsAnyMouseDown();
+    map.set_fact("settled", quiet && !held && workspace.session().settled() ? "yes" : "no");
+    // Input is taken in its order: who sent a pointer move sees here that all before it was taken.
+    const ImVec2 mouse = ImGui::GetMousePos();
+    map.set_fact("pointer", ImGui::IsMousePosValid(&mouse)
+                                ? fmt::format("{:.0f} {:.0f}", mouse.x, mouse.y)
+                                : "");
     map.set_fact("document", shown.document ? shown.file_name : "");
     map.set_fact("edited", shown.edited ? "yes" : "no");
     map.set_fact("undo", shown.history.can_undo ? "yes" : "no");

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kPatience = std::chrono::seconds(60);
+constexpr auto kPatience = std::chrono::seconds(120);
 constexpr int kPollMs = 15;
 
 std::vector<std::string> environment_with(const std::string& display) {
@@ -193,7 +193,15 @@ bool Editor::wait_for(const std::string& what, const std::function<bool()>& hold
 }
 
 bool Editor::settle() const {
-    return wait_fact("settled", "yes");
+    return settle_at(pointer_x_ ^ 1, pointer_y_);
+}
+
+bool Editor::settle_at(int x, int y) const {
+    if (x == pointer_x_ && y == pointer_y_) x ^= 1;
+    point_at(x, y);
+    const std::string there = std::to_string(x) + " " + std::to_string(y);
+    return wait_for("all to be done and shown",
+                    [&] { return fact("pointer") == there && fact("settled") == "yes"; });
 }
 
 bool Editor::wait_fact(const std::string& name, const std::string& value) const {
@@ -201,6 +209,8 @@ bool Editor::wait_fact(const std::string& name, const std::string& value) const 
 }
 
 void Editor::point_at(int x, int y) const {
+    pointer_x_ = x;
+    pointer_y_ = y;
     run_tool({"xdotool", "mousemove", std::to_string(x), std::to_string(y)}, display_);
 }
 
@@ -253,8 +263,7 @@ Pixels Editor::viewport() const {
     int y = 0;
     Pixels pixels;
     rect >> x >> y >> pixels.width >> pixels.height;
-    point_at(x + pixels.width / 2, 20);
-    settle();
+    settle_at(x + pixels.width / 2, 20);
     std::ostringstream crop;
     crop << pixels.width << 'x' << pixels.height << '+' << x << '+' << y;
     run_tool({"import", "-silent", "-window", "root", "-crop", crop.str(), "-depth", "8",

@@ -74,10 +74,11 @@ class Editor {
     /// Rows of the layer list, from the top: "Name".
     std::vector<std::string> layers() const;
 
-    /// Waits until `holds`, as long as the program lives and a minute has not passed. The reason
-    /// for giving up is reported as a test failure that names `what`.
+    /// Waits until `holds`, as long as the program lives and two minutes have not passed. The
+    /// reason for giving up is reported as a test failure that names `what`.
     bool wait_for(const std::string& what, const std::function<bool()>& holds) const;
-    /// Waits until all work is done and shown.
+    /// Waits until all that was done here was taken, and what came of it is done and shown. The
+    /// pointer moves by a pixel: the editor takes input in its order and says where the pointer is.
     bool settle() const;
     bool wait_fact(const std::string& name, const std::string& value) const;
 
@@ -96,11 +97,15 @@ class Editor {
   private:
     void read_map() const;
 
+    bool settle_at(int x, int y) const;
+
     std::string display_;
     std::filesystem::path map_file_;
     std::filesystem::path screen_file_;
     pid_t child_ = -1;
     mutable nlohmann::json map_;
+    mutable int pointer_x_ = 0;
+    mutable int pointer_y_ = 0;
 };
 
 }  // namespace patina::editor_tests
