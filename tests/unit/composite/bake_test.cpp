@@ -68,6 +68,50 @@ RC_GTEST_PROP(Bake, EqualsTheReferenceToTheNearestByte, ()) {
     }
 }
 
+/// Where an image of 0 keeps the layer away, the layer changes nothing, whatever it does elsewhere:
+/// it once held the sum below to 1, by taking it to the other blend space.
+TEST(Bake, ALayerOfNoWeightInATexelLeavesWhatASumMadeThere) {
+    Image half_clear{.width = 2, .height = 1, .channels = 1};
+    half_clear.data = {std::byte{0}, std::byte{255}};
+    ImageTable images;
+    const Hash128 mask_image = images.add(std::move(half_clear));
+    const auto grey = [](std::uint64_t id, float value, BlendMode mode, BlendSpace space) {
+        Layer layer{.id = {id}, .mode = mode, .blend_space = space};
+        at(layer.channels, Channel::BaseColor) = {.enabled = true,
+                                                  .source = ConstantSource{glm::vec3(value)}};
+        return layer;
+    };
+    const Layer bottom = grey(1, 0.8f, BlendMode::Normal, BlendSpace::Linear);
+    const Layer sum = grey(2, 0.8f, BlendMode::Add, BlendSpace::Linear);
+    Layer between = grey(3, 0.5f, BlendMode::Normal, BlendSpace::SrgbEncoded);
+    between.mask.entries = {
+        {.id = {4},
+         .source = ImageSource{
+             .image = mask_image, .pick = ChannelPick::Red, .filter = Filter::Nearest}}};
+    const Layer half = grey(5, 0.5f, BlendMode::Multiply, BlendSpace::Linear);
+    const auto stack_of = [](std::initializer_list<Layer> layers) {
+        Material material;
+        for (const Layer& layer : layers)
+            material.stack.push_back(std::make_shared<const Layer>(layer));
+        return material;
+    };
+    const Image with =
+        *baked(stack_of({bottom, sum, between, half}), images, 2)[BakedMap::BaseColor];
+    const Image without = *baked(stack_of({bottom, sum, half}), images, 2)[BakedMap::BaseColor];
+    EXPECT_EQ(with.data[0], without.data[0]);
+    EXPECT_EQ(with.data[0], std::byte{188});  // 0.5 linear: the sum is 1, not 1.6
+    EXPECT_NE(with.data[4], without.data[4]);
+}
+
+TEST(Bake, TheStackThatOnceDifferedFromTheReferenceEqualsIt) {
+    RandomStack random(646965079, 9, RandomSources::ConstantsAndImages);
+    const Material material = random.material();
+    const Image color = *baked(material, random.images, 9)[BakedMap::BaseColor];
+    EXPECT_EQ(difference_from_reference(material, random.images, BakedMap::BaseColor, color)
+                  .beyond_rounding,
+              0);
+}
+
 TEST(Bake, GivesTheSameTexelsForAnyNumberOfThreads) {
     for (const int size : {1, 7, 255, 256, 1000}) {
         RandomStack random(static_cast<std::uint32_t>(size), size, RandomSources::All);

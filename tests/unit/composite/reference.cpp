@@ -45,6 +45,7 @@ double separable(BlendMode mode, double cb, double cs) {
         case BlendMode::Screen:
             return 1 - (1 - cb) * (1 - cs);
         case BlendMode::Add:
+            return std::min(cb + cs, 1.0);
         case BlendMode::HeightAdd:
             return cb + cs;
         case BlendMode::Overlay:
@@ -56,7 +57,7 @@ double separable(BlendMode mode, double cb, double cs) {
         case BlendMode::Difference:
             return std::abs(cb - cs);
         case BlendMode::Subtract:
-            return cb - cs;
+            return std::max(cb - cs, 0.0);
         default:
             return cs;
     }
@@ -324,6 +325,9 @@ Texel::Sampled Texel::sampled_image(const ImageSource& source, ChannelKind kind)
     if (scalar && source.pick == ChannelPick::Rgb && image.channels >= 3)
         result.value =
             Vec3(0.2126 * result.value.x + 0.7152 * result.value.y + 0.0722 * result.value.z);
+    // Colours and scalars have no meaning beyond 0..1; heights and directions do.
+    if (kind == ChannelKind::Color || kind == ChannelKind::Scalar)
+        result.value = glm::clamp(result.value, 0.0, 1.0);
     return result;
 }
 
