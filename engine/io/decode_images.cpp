@@ -24,10 +24,16 @@ std::vector<bool> images_to_decode(const Model& model) {
     if (has_record(model)) return std::vector<bool>(model.images.size(), true);
     std::vector<bool> wanted(model.images.size(), false);
     for (const tinygltf::Material& material : model.materials) {
-        const MaterialValues values = material_values(material);
-        for (const TextureUse* use : values.slots())
-            if (const int image = image_index(model, *use); image >= 0)
+        const auto want = [&](const TextureUse& use) {
+            if (const int image = image_index(model, use); image >= 0)
                 wanted[static_cast<std::size_t>(image)] = true;
+        };
+        const MaterialValues values = material_values(material);
+        for (const TextureUse* use : values.slots()) want(*use);
+        const auto& glossiness =
+            extension_of(material.extensions, "KHR_materials_pbrSpecularGlossiness");
+        want(texture_use(glossiness, "diffuseTexture"));
+        want(texture_use(glossiness, "specularGlossinessTexture"));
     }
     return wanted;
 }

@@ -9,6 +9,7 @@
 #include "io/gltf_check.h"
 #include "io/json_check.h"
 #include "io/scene_read.h"
+#include "io/specular_glossiness.h"
 
 namespace patina::io {
 namespace {
@@ -38,9 +39,9 @@ Result<ReadModel> read_model(const SourceAsset& asset, const LoadLimits& limits)
 Result<LoadedDocument> load_parts(std::shared_ptr<SourceAsset> asset, const LoadLimits& limits,
                                   const Progress& progress) {
     if (const auto split = split_container(*asset); !split) return passed_on(split);
-    const auto read = read_model(*asset, limits);
+    auto read = read_model(*asset, limits);
     if (!read) return passed_on(read);
-    const tinygltf::Model& model = read->model;
+    tinygltf::Model& model = read->model;
     LoadedDocument loaded;
     loaded.warnings = read->checked.warnings;
     const auto files =
@@ -51,9 +52,13 @@ Result<LoadedDocument> load_parts(std::shared_ptr<SourceAsset> asset, const Load
     loaded.images = std::make_shared<ImageStore>(image_limits);
     progress.report(0.1f);
     progress.set_stage(fmt::format("Decoding {} images", model.images.size()));
-    const auto images =
+    auto images =
         decode_images(model, *files, *loaded.images, image_limits, progress, loaded.warnings);
     if (!images) return passed_on(images);
+    if (const auto converted =
+            convert_specular_glossiness(model, *images, *loaded.images, loaded.warnings);
+        !converted)
+        return passed_on(converted);
     progress.report(0.6f);
     progress.set_stage("Building the scene");
     auto scene =
