@@ -47,9 +47,9 @@ CLI::Option* add_size_option(CLI::App& app, const std::string& flag, int& width,
         width = *w;
         height = *h;
     };
-    return app.add_option_function<std::string>(flag, read, help)
-        ->type_name("WxH")
-        ->default_str(fmt::format("{}x{}", width, height));
+    CLI::Option* option = app.add_option_function<std::string>(flag, read, help)->type_name("WxH");
+    if (width > 0) option->default_str(fmt::format("{}x{}", width, height));
+    return option;
 }
 
 CLI::Option* add_vector_option(CLI::App& app, const std::string& flag,

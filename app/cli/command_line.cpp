@@ -52,11 +52,12 @@ void add_editor_options(CLI::App& app, EditorRequest& editor) {
     app.add_option("--ui-map", editor.ui_map,
                    "Keep this file up to date with every visible control of the editor, as JSON")
         ->type_name("FILE");
-    app.add_option("--scale", editor.scale, "Size of the editor's interface; as the monitor asks")
+    app.add_option("--scale", editor.scale,
+                   "Size of the editor's interface; as it was left, or as the monitor asks")
         ->check(CLI::Range(1.0, 2.5))
         ->type_name("X");
     add_size_option(app, "--window", editor.window_width, editor.window_height,
-                    "Size of the editor's window");
+                    "Size of the editor's window; as it was left");
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ struct ExitStatus {
 struct EditorRequest {
     std::optional<std::filesystem::path> file;
     std::optional<std::filesystem::path> ui_map;
-    float scale = 0.0f;  ///< 1 to 2.5; 0 asks the monitor
-    int window_width = 1600;
-    int window_height = 900;
+    float scale = 0.0f;    ///< 1 to 2.5; 0: as it was left, or as the monitor has it
+    int window_width = 0;  ///< 0: as the window was left
+    int window_height = 0;
 };
 
 using Invocation = std::variant<std::function<Status()>, EditorRequest, ExitStatus>;

@@ -8,9 +8,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/log.h"
+#include "editor/facts.h"
 #include "editor/keys.h"
 #include "editor/layout.h"
 #include "editor/panels/panels.h"
+#include "editor/settings.h"
 #include "editor/window.h"
 #include "editor/workspace.h"
 
@@ -66,40 +69,27 @@ class RootWindow {
     Rect rect_;
 };
 
-Requests draw_narrow_left(Ui& ui, const Layout& layout, const Shown& shown, ViewState& view) {
-    // Layers share the right column with the properties.
-    Rect column = layout.right;
-    const Rect layers = column.cut_top(std::floor(column.height() * 0.42f));
-    column.cut_top(ui.px(theme::kGap));
-    Requests requests = draw_layers_panel(ui, layers, shown, view);
-    requests.append(draw_properties(ui, column, shown, view));
-    return requests;
-}
-
 Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState& view) {
     Requests requests = draw_top_bar(ui, layout.top_bar, shown, view);
     draw_splitters(ui, layout, view.splitters);
-    if (!layout.left.empty()) {
+    if (!layout.right.empty())
+        requests.append(draw_properties(ui, layout.right, layout.width_class == WidthClass::Narrow,
+                                        shown, view));
+    if (!layout.layers.empty()) {
         requests.append(draw_materials_panel(ui, layout.materials, shown, view));
         requests.append(draw_layers_panel(ui, layout.layers, shown, view));
-        requests.append(draw_history_panel(ui, layout.history, shown, view));
     }
+    requests.append(draw_history_panel(ui, layout.history, shown, view));
     requests.append(draw_viewport_bar(ui, layout.viewport_bar, shown, view));
     requests.append(draw_viewport(ui, layout.viewport, shown, view));
     requests.append(draw_channel_strip(ui, layout.strip, shown, view));
     requests.append(draw_shelf(ui, layout.shelf, shown, view));
     requests.append(carry_shelf_drag(ui, layout.viewport, layout.layers, shown, view));
-    if (!layout.right.empty()) {
-        if (layout.width_class == WidthClass::Narrow)
-            requests.append(draw_narrow_left(ui, layout, shown, view));
-        else
-            requests.append(draw_properties(ui, layout.right, shown, view));
-    }
     requests.append(draw_status_bar(ui, layout.status_bar, shown, view));
     return requests;
 }
 
-void take_keys(const Ui& ui, Workspace& workspace, const Shown& shown) {
+void take_keys(Ui& ui, Workspace& workspace, const Shown& shown) {
     const bool popup =
         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     // No key acts while typing or in a popup.
@@ -109,10 +99,11 @@ void take_keys(const Ui& ui, Workspace& workspace, const Shown& shown) {
     if (const auto channel = pressed_channel()) view.view.channel = *channel;
     if (const auto action = pressed_action(); action && applies(*action, shown))
         workspace.perform(*action);
-    if (view.view.compare == render::CompareMode::Split)
+    if (view.view.compare == render::CompareMode::Split && !ui.focus.arrows_taken())
         view.view.divider = std::clamp(
             view.view.divider + 0.01f * static_cast<float>(pressed_divider_step()), 0.0f, 1.0f);
     if (pressed_escape() && !view.layer_drag.moving && !view.shelf_drag.moving) {
+        ui.focus.leave();
         view.tool = ViewportTool::Move;
         view.crosshair.reset();
         view.solo = {};
@@ -126,6 +117,7 @@ void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
     workspace.file_dialog().draw(ui);
     workspace.question().draw(ui);
     workspace.keys().draw(ui);
+    workspace.log().draw(ui, shown.log);
 }
 
 Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
@@ -144,36 +136,21 @@ Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
     return input;
 }
 
-/// @param quiet  what came of the last input has been drawn
-void state_facts(Ui& ui, Workspace& workspace, const Shown& shown, const Layout& layout,
-                 bool quiet) {
-    const ViewState& view = workspace.view();
-    UiMap& map = ui.map;
-    const bool held = ImGui::IsAnyMouseDown();
-    map.set_fact("settled", quiet && !held && workspace.session().settled() ? "yes" : "no");
-    // Input is taken in its order: who sent a pointer move sees here that all before it was taken.
-    const ImVec2 mouse = ImGui::GetMousePos();
-    map.set_fact("pointer", ImGui::IsMousePosValid(&mouse)
-                                ? fmt::format("{:.0f} {:.0f}", mouse.x, mouse.y)
-                                : "");
-    map.set_fact("document", shown.document ? shown.file_name : "");
-    map.set_fact("edited", shown.edited ? "yes" : "no");
-    map.set_fact("undo", shown.history.can_undo ? "yes" : "no");
-    map.set_fact("redo", shown.history.can_redo ? "yes" : "no");
-    map.set_fact("steps", std::to_string(shown.history.labels.size()));
-    map.set_fact("material", shown.material ? shown.material->name : "");
-    map.set_fact("layer", shown.layer ? shown.layer->name : "");
-    map.set_fact("channel", render::info(view.view.channel).id);
-    map.set_fact("compare", render::kCompareModes[static_cast<std::size_t>(view.view.compare)].id);
-    map.set_fact("left", render::kShadingModels[static_cast<std::size_t>(view.view.left.model)].id);
-    map.set_fact("divider", fmt::format("{:.3f}", view.view.divider));
-    map.set_fact("viewport", fmt::format("{} {} {} {}", layout.viewport.x0, layout.viewport.y0,
-                                         layout.viewport.width(), layout.viewport.height()));
-    map.set_fact("scale", fmt::format("{:.2f}", ui.scale));
-}
+/// What the frames of one window are made with.
+struct Parts {
+    Ui& ui;
+    Window& window;
+    Workspace& workspace;
+    Facts& facts;
+    bool scale_chosen = false;  ///< by the user, in this session
+};
 
 /// One frame. Returns the seconds to wait before the next; negative: until something happens.
-double draw_frame(Ui& ui, Window& window, Workspace& workspace, bool quiet) {
+/// @param quiet  what came of the last input has been drawn
+double draw_frame(const Parts& parts, bool quiet) {
+    Ui& ui = parts.ui;
+    Window& window = parts.window;
+    Workspace& workspace = parts.workspace;
     window.begin_frame();
     ui.begin_frame();
     Session& session = workspace.session();
@@ -182,6 +159,7 @@ double draw_frame(Ui& ui, Window& window, Workspace& workspace, bool quiet) {
         const RootWindow root;
         const LayoutNeeds needs{session.has_document() ? session.document().materials.size() : 0};
         const Layout layout = layout_for(ui, root.rect(), view, needs);
+        workspace.set_has_log_panel(!layout.history.empty());
         session.update(view, frame_input(layout, view));
         const Shown shown = session.shown(view);
         Requests requests = draw_panels(ui, layout, shown, view);
@@ -192,7 +170,7 @@ double draw_frame(Ui& ui, Window& window, Workspace& workspace, bool quiet) {
         take_keys(ui, workspace, session.shown(view));
         if (!shown.toasts.empty()) ui.wake_in(0.5);
         ui.end_frame();
-        state_facts(ui, workspace, shown, layout, quiet);
+        parts.facts.state(ui, {session, view, shown, layout, quiet});
     }
     window.end_frame();
     // After the swap: who reads the map finds on screen what it says.
@@ -208,19 +186,52 @@ std::string title_of(Session& session) {
     return name + (session.is_edited() ? " \u2022 edited" : "") + " \u2013 Patina";
 }
 
+Result<Window> open_window(const Options& options, const Settings& settings) {
+    Window::Description description{.title = "Patina"};
+    if (settings.window_width > 0) description.width = settings.window_width;
+    if (settings.window_height > 0) description.height = settings.window_height;
+    if (options.window_width > 0) description.width = options.window_width;
+    if (options.window_height > 0) description.height = options.window_height;
+    return Window::open(description);
+}
+
+/// What the settings were changed to since they were written: written once nothing is dragged. What
+/// the command line asked for is of this session only.
+void remember(const Options& options, const Parts& parts, Settings& settings) {
+    if (ImGui::IsAnyMouseDown()) return;
+    Settings now = settings;
+    const ViewState& view = parts.workspace.view();
+    now.splitters = view.splitters;
+    now.shelf_open = view.unfolded.shelf;
+    now.keep_previous = parts.workspace.session().keeps_previous();
+    if (options.window_width == 0) now.window_width = parts.window.size()[0];
+    if (options.window_height == 0) now.window_height = parts.window.size()[1];
+    if (parts.scale_chosen) now.scale = parts.ui.scale;
+    if (now == settings) return;
+    settings = now;
+    if (const Status written = write_settings(settings_file(), settings); !written)
+        log_warning("{}", written.error().message);
+}
+
 Status run_window(const Options& options) {
-    Result<Window> opened = Window::open(
-        {.width = options.window_width, .height = options.window_height, .title = "Patina"});
+    Settings settings = read_settings(settings_file());
+    Result<Window> opened = open_window(options, settings);
     if (!opened) return passed_on(opened);
     Window window = std::move(*opened);
     Ui ui;
     ui.map.write_to(options.ui_map);
-    const float scale = usable_scale(options.scale > 0.0f ? options.scale : window.content_scale());
+    const float remembered = settings.scale > 0.0f ? settings.scale : window.content_scale();
+    const float scale = usable_scale(options.scale > 0.0f ? options.scale : remembered);
     if (const Status scaled = apply_scale(ui, window, scale); !scaled) return scaled;
     Result<std::unique_ptr<Session>> session = Session::create(&Window::wake);
     if (!session) return passed_on(session);
     Workspace workspace(std::move(*session));
+    workspace.view().splitters = settings.splitters;
+    workspace.view().unfolded.shelf = settings.shelf_open;
+    workspace.session().set_keep_previous(settings.keep_previous);
     if (options.file) workspace.take_file(*options.file);
+    Facts facts;
+    Parts parts{ui, window, workspace, facts};
     std::string title;
     int frames_left = kSettlingFrames;
     double wait_seconds = 0.0;
@@ -238,10 +249,12 @@ Status run_window(const Options& options) {
         if (const int steps = workspace.take_scale_steps(); steps != 0) {
             const float next = usable_scale(ui.scale + kScaleStep * static_cast<float>(steps));
             if (const Status scaled = apply_scale(ui, window, next); !scaled) return scaled;
+            parts.scale_chosen = true;
             frames_left = kSettlingFrames;
         }
         if (frames_left > 0) --frames_left;
-        wait_seconds = draw_frame(ui, window, workspace, frames_left == 0);
+        wait_seconds = draw_frame(parts, frames_left == 0);
+        remember(options, parts, settings);
         if (const std::string wanted = title_of(workspace.session()); wanted != title) {
             title = wanted;
             window.set_title(title);

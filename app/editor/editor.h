@@ -15,9 +15,10 @@ struct Options {
     std::optional<std::filesystem::path> file;  ///< opened at the start; unset: the empty state
     /// Kept up to date with every visible control, as JSON, for tests and scripts.
     std::optional<std::filesystem::path> ui_map;
-    float scale = 0.0f;  ///< of the interface, 1 to 2.5; 0 asks the monitor
-    int window_width = 1600;
-    int window_height = 900;
+    float scale =
+        0.0f;  ///< of the interface, 1 to 2.5; 0: as it was left, or as the monitor has it
+    int window_width = 0;  ///< 0: as it was left, or 1600 x 900
+    int window_height = 0;
 };
 
 /// Opens the window and returns when it is closed: 0, or 1 after one line on standard error when no

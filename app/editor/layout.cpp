@@ -53,9 +53,8 @@ Columns columns_of(const Measures& measures, const Splitters& splitters, float l
     return columns;
 }
 
-void cut_left_column(const Ui& ui, Layout& layout, const ViewState& view,
+void cut_left_column(const Ui& ui, Layout& layout, Rect column, const ViewState& view,
                      const LayoutNeeds& needs) {
-    Rect column = layout.left;
     const float gap = ui.px(theme::kGap);
     const std::size_t rows = layout.width_class == WidthClass::Wide ? 5 : 2;
     const auto shown = static_cast<float>(std::clamp<std::size_t>(needs.materials, 1, rows));
@@ -99,7 +98,8 @@ struct Splitter {
 
 void draw_splitter(Ui& ui, const Splitter& splitter) {
     if (splitter.rect.empty()) return;
-    const Press pressed = press(ui, splitter.rect, {.label = splitter.name, .kind = "splitter"});
+    const Press pressed =
+        press(ui, splitter.rect, {.label = splitter.name, .kind = "splitter", .focusable = false});
     if (pressed.hovered || pressed.held) {
         ImGui::SetMouseCursor(splitter.vertical ? ImGuiMouseCursor_ResizeEW
                                                 : ImGuiMouseCursor_ResizeNS);
@@ -135,10 +135,15 @@ Layout layout_for(const Ui& ui, const Rect& window, const ViewState& view,
         if (columns.left > 0.0f && !two_views_only) {
             layout.left = rest.cut_left(ui.px(columns.left));
             rest.cut_left(gap);
-            cut_left_column(ui, layout, view, needs);
+            cut_left_column(ui, layout, layout.left, view, needs);
         }
         layout.right = rest.cut_right(ui.px(columns.right));
         rest.cut_right(gap);
+        if (layout.width_class == WidthClass::Narrow && view.right_tab == RightTab::Layers) {
+            Rect below_tabs = layout.right;
+            below_tabs.cut_top(ui.px(theme::kPanelTitle) + ui.px(1));
+            cut_left_column(ui, layout, below_tabs, view, needs);
+        }
     }
     cut_center_column(ui, layout, rest, view, needs);
     return layout;

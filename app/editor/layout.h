@@ -15,8 +15,8 @@ struct Layout {
     WidthClass width_class = WidthClass::Wide;
     Rect top_bar;
     Rect left;       ///< empty when narrow or hidden
-    Rect materials;  ///< within left
-    Rect layers;     ///< within left
+    Rect materials;  ///< within left; of a narrow window within right, while that tab is chosen
+    Rect layers;     ///< likewise
     Rect history;    ///< within left; empty unless wide
     Rect center;     ///< the panel with bar, viewport and strip
     Rect viewport_bar;

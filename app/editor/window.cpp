@@ -260,6 +260,12 @@ void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(state_->handle, title.c_str());
 }
 
+std::array<int, 2> Window::size() const {
+    std::array<int, 2> size{};
+    glfwGetWindowSize(state_->handle, size.data(), &size[1]);
+    return size;
+}
+
 float Window::content_scale() const {
     float x = 1.0f;
     float y = 1.0f;

@@ -3,6 +3,7 @@
 
 /// The window, its OpenGL 4.1 core context, and Dear ImGui's back ends. GLFW is used here alone.
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -37,6 +38,8 @@ class Window {
     bool close_wanted() const;
     void refuse_close();
     void set_title(const std::string& title);
+    /// In screen units, as Description has them.
+    std::array<int, 2> size() const;
     /// Of the monitor, for the interface: 1 on ordinary ones.
     float content_scale() const;
     /// Whether input arrived since the last call.

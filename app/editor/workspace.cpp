@@ -32,11 +32,12 @@ bool is_one_of(const std::string& ending, const std::vector<std::string>& ending
 }
 
 /// All layers that are unfolded in the list, top to bottom.
-void listed(const std::vector<LayerPtr>& layers, std::vector<LayerPtr>& result) {
+void listed(const std::vector<LayerPtr>& layers, const ViewState& view,
+            std::vector<LayerPtr>& result) {
     for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
         result.push_back(*layer);
-        const auto* group = std::get_if<GroupContent>(&(*layer)->content);
-        if (group != nullptr && group->open) listed(group->children, result);
+        if (is_unfolded(**layer, view))
+            listed(std::get<GroupContent>((*layer)->content).children, view, result);
     }
 }
 
@@ -74,6 +75,7 @@ void Workspace::carry_out_one(const Request& request) {
     if (const auto* choose = std::get_if<ChooseImageFor>(&request)) choose_image_for(*choose);
     if (const auto* cancel = std::get_if<CancelJob>(&request)) session_->cancel(cancel->job);
     if (const auto* toast = std::get_if<DismissToast>(&request)) session_->dismiss(toast->toast);
+    if (const auto* held = std::get_if<HoldToast>(&request)) session_->hold_toast(held->toast);
     if (!session_->has_document()) return;
     if (const auto* step = std::get_if<JumpToStep>(&request))
         session_->history().jump_to(step->position);
@@ -119,11 +121,11 @@ void Workspace::when_edits_may_go(std::function<void()> go_on) {
 }
 
 void Workspace::save_then(std::function<void()> after) {
-    if (session_->path().empty()) return ask_save_as();
+    if (session_->path().empty()) return ask_save_as(std::move(after));
     session_->save(session_->path(), std::move(after));
 }
 
-void Workspace::ask_save_as() {
+void Workspace::ask_save_as(std::function<void()> after) {
     const std::string name =
         session_->path().empty() ? "shader_ball.glb" : session_->path().filename().string();
     file_dialog_.open({.title = "Save as",
@@ -132,7 +134,31 @@ void Workspace::ask_save_as() {
                        .name = name,
                        .writing = true,
                        .folder = false,
-                       .chosen = [this](const fs::path& path) { session_->save(path); }});
+                       .chosen = [this, after = std::move(after)](const fs::path& path) {
+                           session_->save(path, after);
+                       }});
+}
+
+void Workspace::ask_export() {
+    const auto chosen = [this](const fs::path& folder) {
+        const fs::path target = session_->export_target(folder);
+        std::error_code error;
+        if (!fs::exists(target, error)) return session_->export_maps(folder);
+        question_.ask({.title = "Replace the model there?",
+                       .text = fmt::format("{} is in {} already. The copy of the model with its "
+                                           "baked maps would take its place.",
+                                           quoted_for_message(target.filename().string(), 80),
+                                           quoted_for_message(folder.string(), 120)),
+                       .answers = {{"Replace", [this, folder] { session_->export_maps(folder); }},
+                                   {"Choose another folder", [this] { ask_export(); }, true},
+                                   {"Cancel", {}}}});
+    };
+    file_dialog_.open({.title = "Export the baked maps and a copy of the model to",
+                       .button = "Export here",
+                       .extensions = {},
+                       .name = {},
+                       .folder = true,
+                       .chosen = chosen});
 }
 
 void Workspace::perform_file(Action action) {
@@ -154,17 +180,10 @@ void Workspace::perform_file(Action action) {
             if (session_->has_document()) save_then({});
             return;
         case Action::SaveAs:
-            if (session_->has_document()) ask_save_as();
+            if (session_->has_document()) ask_save_as({});
             return;
         case Action::Export:
-            if (session_->has_document())
-                file_dialog_.open(
-                    {.title = "Export the baked maps and a copy of the model to",
-                     .button = "Export here",
-                     .extensions = {},
-                     .name = {},
-                     .folder = true,
-                     .chosen = [this](const fs::path& folder) { session_->export_maps(folder); }});
+            if (session_->has_document()) ask_export();
             return;
         case Action::SaveView:
             if (session_->has_document())
@@ -176,6 +195,8 @@ void Workspace::perform_file(Action action) {
                      .writing = true,
                      .chosen = [this](const fs::path& path) { session_->save_view(path, view_); }});
             return;
+        case Action::KeepPrevious:
+            return session_->set_keep_previous(!session_->keeps_previous());
         case Action::Quit:
             quit();
             return;
@@ -262,7 +283,7 @@ void Workspace::choose_image_for(const ChooseImageFor& request) {
 void Workspace::apply_preset_by_id(const ApplyPreset& request) {
     for (const io::PresetFile& file : session_->presets())
         if (file.preset.id == request.id && session_->has_document())
-            session_->apply_preset_file(file, view_, request.replace_stack);
+            session_->apply_preset_file(file, {view_.material, view_.layer, request.replace_stack});
 }
 
 void Workspace::apply_preset_from(const fs::path& path) {
@@ -272,7 +293,7 @@ void Workspace::apply_preset_from(const fs::path& path) {
     }
     const Result<io::PresetFile> file = io::read_preset(path);
     if (file)
-        session_->apply_preset_file(*file, view_, false);
+        session_->apply_preset_file(*file, {view_.material, view_.layer});
     else
         session_->toast(ToastKind::Error, file.error().message);
 }
@@ -295,7 +316,7 @@ void Workspace::select_neighbour(int step) {
     const MaterialPtr material = session_->selected_material(view_);
     if (!material) return;
     std::vector<LayerPtr> rows;
-    listed(material->stack, rows);
+    listed(material->stack, view_, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i]->id != view_.layer) continue;
         const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(i) + step;
@@ -476,6 +497,12 @@ void Workspace::perform_view(Action action) {
             return;
         case Action::HidePanels:
             view_.panels_hidden = !view_.panels_hidden;
+            return;
+        case Action::ShowLog:
+            if (has_log_panel_)
+                view_.history_tab = HistoryTab::Log;
+            else
+                log_.open();
             return;
         case Action::ResetLayout:
             view_.splitters = {};

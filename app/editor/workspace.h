@@ -10,6 +10,7 @@
 #include <string>
 
 #include "editor/dialogs/file_dialog.h"
+#include "editor/dialogs/log_dialog.h"
 #include "editor/dialogs/palette.h"
 #include "editor/dialogs/question.h"
 #include "editor/session/session.h"
@@ -28,9 +29,10 @@ class Workspace {
     Palette& palette() { return palette_; }
     QuestionDialog& question() { return question_; }
     KeysDialog& keys() { return keys_; }
+    LogDialog& log() { return log_; }
     bool dialog_open() const {
         return file_dialog_.is_open() || palette_.is_open() || question_.is_open() ||
-               keys_.is_open();
+               keys_.is_open() || log_.is_open();
     }
 
     /// Edits first, in one go, then the rest.
@@ -41,6 +43,8 @@ class Workspace {
     /// Asks first when there are unsaved edits.
     void quit();
     bool quitting() const { return quitting_; }
+    /// Whether the layout has a panel for the log; without one it opens in a box.
+    void set_has_log_panel(bool has) { has_log_panel_ = has; }
     /// Steps of the interface's scale that were asked for since the last call.
     int take_scale_steps() { return std::exchange(scale_steps_, 0); }
 
@@ -53,7 +57,8 @@ class Workspace {
     void select_neighbour(int step);
     void move_selected(int step);
     void save_then(std::function<void()> after);
-    void ask_save_as();
+    void ask_save_as(std::function<void()> after);
+    void ask_export();
     void ask_image(std::function<void(const ImageAssetPtr&)> use);
     void choose_image_for(const ChooseImageFor& request);
     void when_edits_may_go(std::function<void()> go_on);
@@ -67,7 +72,9 @@ class Workspace {
     Palette palette_;
     QuestionDialog question_;
     KeysDialog keys_;
+    LogDialog log_;
     bool quitting_ = false;
+    bool has_log_panel_ = true;
     int scale_steps_ = 0;
 };
 

@@ -45,9 +45,8 @@ Reading reading_of(Channel channel, bool encoded) {
         case ChannelKind::Normal:
             return Reading::Normal;
         case ChannelKind::Scalar:
-            return Reading::Scalar;
         case ChannelKind::Height:
-            return Reading::Height;
+            return Reading::Scalar;
     }
     return Reading::Scalar;
 }

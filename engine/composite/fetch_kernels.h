@@ -38,12 +38,11 @@ struct Adjustment {
     bool scale = false;   ///< x multiply + add
     bool normalise = false;
     bool luminance = false;  ///< three components become one, in planes[0]
-    bool hold = false;       ///< to 0..1, and then
-    bool encode = false;     ///< linear to sRGB
+    bool encode = false;     ///< linear to sRGB, last
     glm::vec3 multiply = glm::vec3(1.0f);
     glm::vec3 add = glm::vec3(0.0f);
     bool is_identity() const {
-        return !(invert || decode || unpack || scale || normalise || luminance || hold || encode);
+        return !(invert || decode || unpack || scale || normalise || luminance || encode);
     }
 };
 /// In place, on `components` (1 or 3) planes.

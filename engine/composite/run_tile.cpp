@@ -184,14 +184,10 @@ FetchedSource Runner::child_source(const Operation& operation) {
     return source;
 }
 
-/// The mask times the source's own coverage, but for a source that replaces.
+/// The mask times the source's own coverage.
 ReadPlane Runner::weight_of(const Operation& operation, const FetchedSource& source) {
-    const bool masked = (operation.flags & kUsesMask) != 0;
-    const ReadPlane mask =
-        masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one();
-    const bool first = (operation.flags & kFirst) != 0;
-    if (operation.mode == BlendMode::Replace && !first) return mask;
-    if (!masked) return source.coverage;
+    if ((operation.flags & kUsesMask) == 0) return source.coverage;
+    const ReadPlane mask{.data = planes_.mask(operation.depth)};
     if (source.coverage.step == 0) return mask;
     multiply_tile(mask, source.coverage, planes_.weight(), span_.count);
     return {.data = planes_.weight()};
@@ -203,7 +199,6 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
                    .first = (operation.flags & kFirst) != 0,
                    .count = span_.count,
                    .weight = weight_of(operation, source),
-                   .source_coverage = source.coverage,
                    .amount = operation.amount};
     for (int k = 0; k < component_count(operation.channel); ++k) {
         task.target[k] = planes_.channel(operation.depth, operation.channel, k);

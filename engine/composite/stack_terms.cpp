@@ -14,17 +14,11 @@ bool is_opaque(const Source& source) {
     return image == nullptr || !image->alpha_is_coverage;
 }
 
-/// Whether the layers of a group cover the channel in every texel: some layer does, and none above
-/// it clears a part again.
 bool covers(const StackTerms& terms, Channel channel) {
-    bool covered = false;
-    for (const LayerTerms& layer : terms) {
+    return std::any_of(terms.begin(), terms.end(), [&](const LayerTerms& layer) {
         const auto& contribution = at(layer.channels, channel);
-        if (!contribution) continue;
-        if (contribution->covers || contribution->mode == BlendMode::Replace)
-            covered = contribution->covers;
-    }
-    return covered;
+        return contribution && contribution->covers;
+    });
 }
 
 /// Folds what is uniform from the bottom of the mask up. Returns its value where all of it is.
@@ -91,10 +85,8 @@ void find_covering(StackTerms& terms, Channel channel) {
         if (!contribution) continue;
         const bool opaque = contribution->source != nullptr ? is_opaque(*contribution->source)
                                                             : covers(layer.children, channel);
-        const bool plain =
-            contribution->mode == BlendMode::Normal || contribution->mode == BlendMode::Replace;
-        contribution->covers =
-            plain && contribution->weight >= 1.0f && !layer.mask.varies() && opaque;
+        contribution->covers = contribution->mode == BlendMode::Normal &&
+                               contribution->weight >= 1.0f && !layer.mask.varies() && opaque;
     }
 }
 

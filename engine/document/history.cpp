@@ -147,8 +147,8 @@ bool History::jump_to(int position) {
     return true;
 }
 
-void History::mark_saved() {
-    saved_ = document();
+void History::mark_saved(DocumentPtr saved) {
+    saved_ = std::move(saved);
     seal();
 }
 

@@ -43,8 +43,8 @@ class History {
     /// Shows a step of the list; others stay for redo and undo. False when there is no such step.
     bool jump_to(int position);
 
-    /// The current snapshot is what the file holds now.
-    void mark_saved();
+    /// What the file holds now: the current snapshot, or an earlier one whose saving took a while.
+    void mark_saved(DocumentPtr saved);
     /// Whether the current snapshot is another than the one opened or last marked as saved.
     bool is_edited() const;
 

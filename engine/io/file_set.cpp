@@ -30,12 +30,14 @@ Status write_side_file(const SideFile& file) {
     return write_file_atomically(file.path, *file.bytes);
 }
 
+/// Previous versions that were kept ("a.gltf~") among them.
 std::vector<std::filesystem::path> gltf_files_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
     for (const auto& entry :
          std::filesystem::directory_iterator(folder.empty() ? "." : folder, error))
-        if (entry.path().extension() == ".gltf") files.push_back(entry.path());
+        if (entry.path().extension() == ".gltf" || entry.path().extension() == ".gltf~")
+            files.push_back(entry.path());
     return files;
 }
 

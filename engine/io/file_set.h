@@ -33,7 +33,8 @@ Status keep_previous_version(const std::filesystem::path& path);
 /// there is no such file. Only names with the hash of their content in them count.
 std::vector<std::string> owned_files_of(const std::filesystem::path& path);
 
-/// Deletes from the folder of `gltf` those of `candidates` that no .gltf there names any more.
+/// Deletes from the folder of `gltf` those of `candidates` that no .gltf there, nor a
+/// previous version that was kept, names any more.
 void remove_superseded(const std::filesystem::path& gltf,
                        const std::vector<std::string>& candidates);
 

@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <optional>
 
-#include "io/texture_use.h"
 #include "io/triangles.h"
 #include "scene/normals.h"
 #include "scene/tangents.h"
@@ -16,8 +14,9 @@
 namespace patina::io {
 namespace {
 
-using Attributes = std::map<std::string, int>;
-using MeshPrimitive = tinygltf::Primitive;
+using gltf::Attributes;
+using gltf::MeshPrimitive;
+using gltf::PrimitiveMode;
 
 // A vertex with all its attributes, and again for the copy that splitting corners can make.
 constexpr std::uint64_t kVertexBytes = 160;
@@ -40,7 +39,7 @@ class AttributeReader {
     /// whether the file says so or not, as the standard asks.
     template <int N>
     Result<std::vector<glm::vec<N, float>>> vectors(const Attributes& attributes,
-                                                    const std::string& semantic) {
+                                                    std::string_view semantic) {
         const auto found = attributes.find(semantic);
         if (found == attributes.end()) return std::vector<glm::vec<N, float>>();
         if (components(found->second) != N)
@@ -87,7 +86,7 @@ class AttributeReader {
 
   private:
     int components(int accessor) const {
-        return layout_of(data_.model.accessors[static_cast<std::size_t>(accessor)]).components();
+        return data_.model.accessors[static_cast<std::size_t>(accessor)].components();
     }
 
     const GltfData& data_;
@@ -206,8 +205,7 @@ Result<std::vector<std::uint32_t>> read_triangles(const GltfData& data, const Me
 int tangent_uv_set(const GltfData& data, const MeshPrimitive& source, const Primitive& primitive) {
     if (source.material < 0) return 0;
     const auto& material = data.model.materials[static_cast<std::size_t>(source.material)];
-    const TextureUse normal = texture_use(material.normalTexture);
-    const int set = normal.texture >= 0 ? normal.uv_set : 0;
+    const int set = material.normal.texture >= 0 ? material.normal.uv_set : 0;
     return set == 1 && !primitive.uvs[1].empty() ? 1 : 0;
 }
 
@@ -232,16 +230,17 @@ bool all_finite(const std::vector<glm::vec3>& vectors) {
 }
 
 std::uint64_t estimated_bytes(const GltfData& data, const MeshPrimitive& source,
-                              std::size_t vertices) {
-    std::size_t corners = vertices;
+                              std::int64_t vertices) {
+    std::int64_t corners = vertices;
     if (source.indices >= 0)
         corners = data.model.accessors[static_cast<std::size_t>(source.indices)].count;
     // Strips and fans make three corners of one; flat normals make a vertex of each corner.
-    const bool is_list = source.mode == TINYGLTF_MODE_TRIANGLES;
-    const std::size_t list_corners = is_list ? corners : 3 * corners;
+    const bool is_list = source.mode == PrimitiveMode::Triangles;
+    const std::int64_t list_corners = is_list ? corners : 3 * corners;
     const bool is_flat = source.attributes.find("NORMAL") == source.attributes.end();
-    const std::size_t drawn = is_flat ? std::max(list_corners, vertices) : vertices;
-    return drawn * kVertexBytes + list_corners * kIndexBytes;
+    const std::int64_t drawn = is_flat ? std::max(list_corners, vertices) : vertices;
+    return static_cast<std::uint64_t>(drawn) * kVertexBytes +
+           static_cast<std::uint64_t>(list_corners) * kIndexBytes;
 }
 
 /// Nothing when the primitive has no triangles to draw.
@@ -254,7 +253,7 @@ Result<std::optional<Primitive>> read_primitive(const GltfData& data, const Mesh
         warnings.push_back(fmt::format("{}: has no positions and is left out", pointer));
         return std::nullopt;
     }
-    if (source.mode < TINYGLTF_MODE_TRIANGLES) {
+    if (source.mode < PrimitiveMode::Triangles) {
         warnings.push_back(fmt::format("{}: points and lines are not shown", pointer));
         return std::nullopt;
     }
@@ -299,7 +298,7 @@ Status GeometryBudget::take(std::uint64_t bytes) {
 
 Result<Mesh> read_mesh(const GltfData& data, int index, const MeshPose& pose,
                        GeometryBudget& budget, std::vector<std::string>& warnings) {
-    const tinygltf::Mesh& source = data.model.meshes[static_cast<std::size_t>(index)];
+    const gltf::Mesh& source = data.model.meshes[static_cast<std::size_t>(index)];
     Mesh mesh{.name = source.name, .primitives = {}};
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         const std::string pointer = fmt::format("/meshes/{}/primitives/{}", index, i);

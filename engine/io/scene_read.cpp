@@ -3,13 +3,11 @@
 
 #include <cmath>
 
-#include "io/scene_values.h"
-
 namespace patina::io {
 namespace {
 
-using tinygltf::Model;
-using tinygltf::Node;
+using gltf::Model;
+using gltf::Node;
 
 const Node& node_at(const Model& model, int index) {
     return model.nodes[static_cast<std::size_t>(index)];
@@ -39,7 +37,7 @@ Result<WorldTransforms> place_nodes(const Model& model) {
         if (!is_child[i]) open.push_back(static_cast<int>(i));
     for (const int root : open)
         placed.world_from_local[static_cast<std::size_t>(root)] =
-            parent_from_local(node_at(model, root));
+            node_at(model, root).parent_from_local;
     while (!open.empty()) {
         const int index = open.back();
         open.pop_back();
@@ -48,7 +46,7 @@ Result<WorldTransforms> place_nodes(const Model& model) {
             return failure("/nodes/{}: its transforms multiply to infinity", index);
         for (const int child : node_at(model, index).children) {
             placed.world_from_local[static_cast<std::size_t>(child)] =
-                world * parent_from_local(node_at(model, child));
+                world * node_at(model, child).parent_from_local;
             open.push_back(child);
         }
     }
@@ -58,12 +56,12 @@ Result<WorldTransforms> place_nodes(const Model& model) {
 /// Nodes of the shown scene in depth-first order, as they are listed.
 std::vector<int> nodes_of_scene(const Model& model) {
     std::vector<int> order;
-    if (model.defaultScene < 0) {
+    if (model.scene < 0) {
         // Without a scene there is nothing to choose by: everything is shown.
         for (std::size_t i = 0; i < model.nodes.size(); ++i) order.push_back(static_cast<int>(i));
         return order;
     }
-    const auto& roots = model.scenes[static_cast<std::size_t>(model.defaultScene)].nodes;
+    const auto& roots = model.scenes[static_cast<std::size_t>(model.scene)].nodes;
     std::vector<int> open(roots.rbegin(), roots.rend());
     while (!open.empty()) {
         const int index = open.back();
@@ -101,7 +99,7 @@ class SceneReader {
         const Node& node = node_at(data_.model, index);
         const glm::mat4& world = placed_.world_from_local[static_cast<std::size_t>(index)];
         if (node.camera >= 0) add_camera(node, world);
-        add_light(node, world);
+        if (node.light >= 0) add_light(node, world);
         if (node.mesh < 0) return {};
         if (node.skin >= 0 || !node.weights.empty()) return add_posed_instance(node, world);
         return add_plain_instance(node, world);
@@ -118,7 +116,7 @@ class SceneReader {
     }
 
     void add_camera(const Node& node, const glm::mat4& world) {
-        SceneCamera camera = camera_of(data_.model.cameras[static_cast<std::size_t>(node.camera)]);
+        SceneCamera camera = data_.model.cameras[static_cast<std::size_t>(node.camera)];
         camera.world_from_camera = world;
         if (camera.name.empty()) camera.name = node.name;
         scene_.cameras.push_back(std::move(camera));
@@ -126,9 +124,7 @@ class SceneReader {
 
     /// A light shines along -z of its node.
     void add_light(const Node& node, const glm::mat4& world) {
-        const int index = index_in(extension_of(node.extensions, "KHR_lights_punctual"), "light");
-        if (index < 0) return;
-        Light light = light_of(data_.model.lights[static_cast<std::size_t>(index)]);
+        Light light = data_.model.lights[static_cast<std::size_t>(node.light)];
         light.position_world = glm::vec3(world[3]);
         const glm::vec3 direction = -glm::vec3(world[2]);
         const float length = glm::length(direction);
@@ -141,8 +137,8 @@ class SceneReader {
         int& mesh = mesh_of_source_[static_cast<std::size_t>(node.mesh)];
         if (mesh < 0) {
             const auto& source = data_.model.meshes[static_cast<std::size_t>(node.mesh)];
-            const std::vector<float> weights = as_floats(source.weights);
-            const auto added = add_mesh(node.mesh, {.morph_weights = weights, .joints_world = {}});
+            const auto added =
+                add_mesh(node.mesh, {.morph_weights = source.weights, .joints_world = {}});
             if (!added) return passed_on(added);
             mesh = *added;
         }
@@ -158,8 +154,7 @@ class SceneReader {
             if (!matrices) return passed_on(matrices);
             joints = std::move(*matrices);
         }
-        const std::vector<float> weights =
-            as_floats(node.weights.empty() ? source.weights : node.weights);
+        const auto& weights = node.weights.empty() ? source.weights : node.weights;
         const auto mesh = add_mesh(node.mesh, {.morph_weights = weights, .joints_world = joints});
         if (!mesh) return passed_on(mesh);
         // A skin places its mesh in the world; the node's own transform does not count.
@@ -168,14 +163,14 @@ class SceneReader {
     }
 
     Result<std::vector<glm::mat4>> joint_matrices(int index) {
-        const tinygltf::Skin& skin = data_.model.skins[static_cast<std::size_t>(index)];
+        const gltf::Skin& skin = data_.model.skins[static_cast<std::size_t>(index)];
         std::vector<glm::mat4> matrices;
         matrices.reserve(skin.joints.size());
         for (const int joint : skin.joints)
             matrices.push_back(placed_.world_from_local[static_cast<std::size_t>(joint)]);
-        if (skin.inverseBindMatrices < 0) return matrices;
+        if (skin.inverse_bind_matrices < 0) return matrices;
         std::size_t not_finite = 0;
-        const auto inverse_bind = read_floats(data_, skin.inverseBindMatrices, not_finite);
+        const auto inverse_bind = read_floats(data_, skin.inverse_bind_matrices, not_finite);
         if (!inverse_bind) return passed_on(inverse_bind);
         for (std::size_t i = 0; i < matrices.size(); ++i) {
             glm::mat4 joint_from_mesh;

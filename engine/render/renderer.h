@@ -81,6 +81,24 @@ struct PictureSize {
 };
 inline constexpr int kMaxPictureSide = 16384;
 
+/// A still that is made a draw at a time, so that a window stays alive meanwhile.
+struct Still {
+    View view;
+    PictureSize size;
+    int samples = 1;
+    int drawn = 0;
+    bool is_finished() const { return drawn >= samples; }
+};
+
+/// What the draws of a still came to: display light, bottom row first.
+struct StillMean {
+    PictureSize size;
+    std::vector<float> rgba_premultiplied;
+    bool dithered = false;  ///< to be, when it is rounded
+};
+/// RGBA U8, sRGB-encoded, straight alpha, row 0 at the top. Any thread.
+Image srgb_image(const StillMean& still);
+
 struct RendererState;  // renderer_state.h
 
 class Renderer {
@@ -126,6 +144,11 @@ class Renderer {
     /// The same as linear radiance without exposure and tone map, or the raw numbers of a channel:
     /// RGBA F32, premultiplied, alpha is coverage.
     Result<Image> still_linear(const View& view, PictureSize size, int samples);
+
+    /// The same in steps: one more draw with its own sub-pixel offset, and what the draws so far
+    /// come to. Pictures may be drawn in between, other stills may not.
+    Status draw_sample(Still& still);
+    StillMean mean(const Still& still);
 
     /// The picture of the last draw or draw_strip: RGBA U8, sRGB-encoded, row 0 at the top.
     Result<Image> read_picture();

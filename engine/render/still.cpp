@@ -2,6 +2,7 @@
 
 /// Stills: the mean of many draws with sub-pixel offsets, accumulated in 32-bit floats.
 
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -27,32 +28,45 @@ glm::vec2 sample_offset(int i) {
     return {share(kA1), share(kA2)};
 }
 
-/// The mean of `samples` draws: RGBA, premultiplied, bottom row first.
-Result<std::vector<float>> accumulate(RendererState& state, const View& view, PictureSize size,
-                                      int samples, OutputMode output) {
-    if (Status ready = require_content(state); !ready) return passed_on(ready);
+Status check_still(const RendererState& state, PictureSize size, int samples) {
+    if (Status ready = require_content(state); !ready) return ready;
     if (samples < 1 || samples > kMaxSamples)
         return failure("{} samples cannot be averaged: give 1 to {}", samples, kMaxSamples);
     if (size.width < 1 || size.height < 1 || size.width > kMaxPictureSide ||
         size.height > kMaxPictureSide)
         return failure("a picture of {} x {} cannot be drawn: its sides are 1 to {} pixels",
                        size.width, size.height, kMaxPictureSide);
+    return {};
+}
+
+/// Adds sample i to the sum; the first clears it.
+Status add_sample(RendererState& state, const View& view, PictureSize size, int i,
+                  OutputMode output) {
     const glm::ivec2 pixels(size.width, size.height);
     const Result<gl::Framebuffer*> sum = state.accumulation.at(pixels);
     if (!sum) return passed_on(sum);
-    { const gl::Pass clear({.label = "clear", .target = *sum, .clear_colors = {glm::vec4(0.0f)}}); }
-    for (int i = 0; i < samples; ++i)
-        if (Status drawn = draw_frame(state, view, pixels,
-                                      {.framebuffer = *sum,
-                                       .output = output,
-                                       .add = true,
-                                       .jitter_pixels = sample_offset(i)});
-            !drawn)
-            return passed_on(drawn);
-    std::vector<float> mean = (*sum)->read_color(0, {0, 0}, pixels);
+    if (i == 0)
+        const gl::Pass clear({.label = "clear", .target = *sum, .clear_colors = {glm::vec4(0.0f)}});
+    return draw_frame(
+        state, view, pixels,
+        {.framebuffer = *sum, .output = output, .add = true, .jitter_pixels = sample_offset(i)});
+}
+
+std::vector<float> mean_of(const gl::Framebuffer& sum, PictureSize size, int samples) {
+    std::vector<float> mean = sum.read_color(0, {0, 0}, {size.width, size.height});
     const float share = 1.0f / static_cast<float>(samples);
     for (float& value : mean) value *= share;
     return mean;
+}
+
+/// The mean of `samples` draws: RGBA, premultiplied, bottom row first.
+Result<std::vector<float>> accumulate(RendererState& state, const View& view, PictureSize size,
+                                      int samples, OutputMode output) {
+    if (Status fits = check_still(state, size, samples); !fits) return passed_on(fits);
+    for (int i = 0; i < samples; ++i)
+        if (Status drawn = add_sample(state, view, size, i, output); !drawn)
+            return passed_on(drawn);
+    return mean_of(*state.accumulation.get(), size, samples);
 }
 
 Image empty_image(PictureSize size, SampleType type) {
@@ -86,25 +100,47 @@ void encode_pixel(const float* rgba, float noise, std::byte* out) {
 
 }  // namespace
 
-Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples) {
-    const Result<std::vector<float>> mean =
-        accumulate(*state_, view, size, samples, OutputMode::Display);
-    if (!mean) return passed_on(mean);
-    // Channels hold exact numbers: noise would change them.
-    const bool dithered = info(view.channel).display == ChannelDisplay::Picture;
+Image srgb_image(const StillMean& still) {
+    const PictureSize size = still.size;
     Image image = empty_image(size, SampleType::U8);
     parallel_for(0, size.height, 16, [&](std::int64_t first, std::int64_t last) {
         for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
             const int from_bottom = size.height - 1 - y;
-            const float* row = mean->data() + std::size_t{4} *
-                                                  static_cast<std::size_t>(from_bottom) *
-                                                  static_cast<std::size_t>(size.width);
+            const float* row = still.rgba_premultiplied.data() +
+                               std::size_t{4} * static_cast<std::size_t>(from_bottom) *
+                                   static_cast<std::size_t>(size.width);
             std::byte* out = image.data.data() + static_cast<std::size_t>(y) * image.row_bytes();
             for (int x = 0; x < size.width; ++x, row += 4, out += 4)
-                encode_pixel(row, dithered ? dither(x, from_bottom) : 0.0f, out);
+                encode_pixel(row, still.dithered ? dither(x, from_bottom) : 0.0f, out);
         }
     });
     return image;
+}
+
+Status Renderer::draw_sample(Still& still) {
+    if (Status fits = check_still(*state_, still.size, still.samples); !fits) return fits;
+    if (Status drawn =
+            add_sample(*state_, still.view, still.size, still.drawn, OutputMode::Display);
+        !drawn)
+        return drawn;
+    ++still.drawn;
+    return {};
+}
+
+StillMean Renderer::mean(const Still& still) {
+    assert(still.drawn > 0);
+    // Channels hold exact numbers: noise would change them.
+    return {.size = still.size,
+            .rgba_premultiplied = mean_of(*state_->accumulation.get(), still.size, still.drawn),
+            .dithered = info(still.view.channel).display == ChannelDisplay::Picture};
+}
+
+Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples) {
+    Still still{.view = view, .size = size, .samples = samples};
+    do {
+        if (const Status drawn = draw_sample(still); !drawn) return passed_on(drawn);
+    } while (!still.is_finished());
+    return srgb_image(mean(still));
 }
 
 Result<Image> Renderer::still_linear(const View& view, PictureSize size, int samples) {

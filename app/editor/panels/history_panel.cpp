@@ -48,23 +48,6 @@ Requests draw_steps(Ui& ui, const Rect& rect, const HistoryShown& history) {
     return requests;
 }
 
-void draw_log(Ui& ui, const Rect& rect, std::span<const LogLine> log) {
-    if (log.empty()) {
-        text(ui, rect.inset(ui.px(12), 0), ui.fonts.caption11, theme::kText3, "Nothing to report");
-        return;
-    }
-    ScrollArea area(ui, "log", rect);
-    Rect row = area.content().inset(ui.px(12), 0);
-    float height = 0.0f;
-    for (auto line_shown = log.rbegin(); line_shown != log.rend(); ++line_shown) {
-        const ImU32 color = line_shown->is_warning ? theme::kWarning : theme::kText2;
-        const float used =
-            paragraph(ui, row.moved(0, height), ui.fonts.caption11, color, line_shown->text);
-        height += used + ui.px(4);
-    }
-    area.set_height(height);
-}
-
 }  // namespace
 
 Requests draw_history_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
@@ -81,7 +64,7 @@ Requests draw_history_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewSt
     if (tab(ui, title, {"Log", log})) view.history_tab = HistoryTab::Log;
     rest.cut_bottom(ui.px(6));
     if (log) {
-        draw_log(ui, rest, shown.log);
+        draw_log_lines(ui, rest, shown.log);
         return requests;
     }
     const std::size_t steps = shown.history.labels.empty() ? 0 : shown.history.labels.size() - 1;

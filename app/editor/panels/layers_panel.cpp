@@ -26,20 +26,30 @@ struct Row {
     bool hidden = false;  ///< itself or a group around it
 };
 
-void flatten(const std::vector<LayerPtr>& layers, int depth, bool hidden, std::vector<Row>& rows) {
+struct ListedIn {
+    int depth = 0;
+    bool hidden = false;
+    bool all = false;  ///< also what is folded away
+};
+
+void flatten(const std::vector<LayerPtr>& layers, const ListedIn& where, const ViewState& view,
+             std::vector<Row>& rows) {
     for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-        const bool gone = hidden || !(*layer)->visible;
-        rows.push_back({*layer, depth, gone});
-        const auto* group = std::get_if<GroupContent>(&(*layer)->content);
-        if (group != nullptr && group->open) flatten(group->children, depth + 1, gone, rows);
+        const bool gone = where.hidden || !(*layer)->visible;
+        rows.push_back({*layer, where.depth, gone});
+        if (!(*layer)->is_group() || !(where.all || is_unfolded(**layer, view))) continue;
+        flatten(std::get<GroupContent>((*layer)->content).children,
+                {where.depth + 1, gone, where.all}, view, rows);
     }
 }
 
 /// Top to bottom as shown; with a search only what matches, without depth.
-std::vector<Row> rows_of(const Material& material, const std::optional<std::string>& search) {
+std::vector<Row> rows_of(const Material& material, const ViewState& view) {
     std::vector<Row> rows;
-    flatten(material.stack, 0, false, rows);
-    if (!search || search->empty()) return rows;
+    const std::optional<std::string>& search = view.layer_search;
+    const bool searching = search && !search->empty();
+    flatten(material.stack, {.all = searching}, view, rows);
+    if (!searching) return rows;
     std::erase_if(rows, [&](const Row& row) { return !name_matches(row.layer->name, *search); });
     for (Row& row : rows) row.depth = 0;
     return rows;
@@ -191,13 +201,13 @@ struct DropTarget {
     int depth = 0;
 };
 
-/// Where a drop at `mouse_y` goes: above or below a row by its halves; the lower half of an open
+/// Where a drop at the pointer goes: above or below a row by its halves; the lower half of an open
 /// group and the middle of a folded one go into it.
-std::optional<DropTarget> drop_target(const Ui& ui, const std::vector<Row>& rows, float top,
-                                      float mouse_y) {
+std::optional<DropTarget> drop_target(const Ui& ui, const std::vector<Row>& rows,
+                                      const ViewState& view, float top) {
     if (rows.empty()) return std::nullopt;
     const float height = ui.px(theme::kLayerRow);
-    const float at = std::max(mouse_y - top, 0.0f) / height;
+    const float at = std::max(ImGui::GetMousePos().y - top, 0.0f) / height;
     const auto index = static_cast<std::size_t>(at);
     if (index >= rows.size()) {
         // Below everything: under the lowest layer of the stack itself.
@@ -209,9 +219,10 @@ std::optional<DropTarget> drop_target(const Ui& ui, const std::vector<Row>& rows
     const Row& row = rows[index];
     const float share = at - static_cast<float>(index);
     const float y = top + height * static_cast<float>(index);
-    const auto* group = std::get_if<GroupContent>(&row.layer->content);
-    const bool into_open = group != nullptr && group->open && share >= 0.5f;
-    const bool into_folded = group != nullptr && !group->open && share > 0.3f && share < 0.7f;
+    const bool group = row.layer->is_group();
+    const bool open = is_unfolded(*row.layer, view);
+    const bool into_open = group && open && share >= 0.5f;
+    const bool into_folded = group && !open && share > 0.3f && share < 0.7f;
     if (into_open || into_folded)
         return DropTarget{top_of_group(row.layer->id), y + height, row.depth + 1};
     if (share < 0.5f) return DropTarget{above(row.layer->id), y, row.depth};
@@ -227,27 +238,23 @@ void draw_insertion(const Ui& ui, const Rect& list, const DropTarget& target, bo
 }
 
 /// Folded groups open when a drag rests on them.
-Requests open_hovered_group(Ui& ui, const Material& material, const std::vector<Row>& rows,
-                            float top, LayerDrag& drag) {
-    Requests requests;
+void open_hovered_group(Ui& ui, const std::vector<Row>& rows, float top, ViewState& view) {
+    LayerDrag& drag = view.layer_drag;
     const float at = (ImGui::GetMousePos().y - top) / ui.px(theme::kLayerRow);
     const auto index = static_cast<std::size_t>(std::max(at, 0.0f));
     LayerId over;
     if (at >= 0.0f && index < rows.size()) {
-        const auto* group = std::get_if<GroupContent>(&rows[index].layer->content);
-        if (group != nullptr && !group->open) over = rows[index].layer->id;
+        const Layer& layer = *rows[index].layer;
+        if (layer.is_group() && !is_unfolded(layer, view)) over = layer.id;
     }
     if (over != drag.over_group) {
         drag.over_group = over;
         drag.over_since = ImGui::GetTime();
     }
-    if (over.value == 0) return requests;
+    if (over.value == 0) return;
     const double rested = ImGui::GetTime() - drag.over_since;
-    if (rested >= kGroupOpenSeconds)
-        requests.edit(set_group_open(material, *rows[index].layer, true));
-    else
-        ui.wake_in(kGroupOpenSeconds - rested + 0.01);
-    return requests;
+    if (rested >= kGroupOpenSeconds) view.unfolded_groups[over] = true;
+    ui.wake_in(std::max(kGroupOpenSeconds - rested, 0.0) + 0.01);
 }
 
 Requests carry_drag(Ui& ui, const Rect& list, float top, const std::vector<Row>& rows,
@@ -259,8 +266,8 @@ Requests carry_drag(Ui& ui, const Rect& list, float top, const std::vector<Row>&
         drag = {};
         return requests;
     }
-    requests.append(open_hovered_group(ui, *shown.material, rows, top, drag));
-    const auto target = drop_target(ui, rows, top, ImGui::GetMousePos().y);
+    open_hovered_group(ui, rows, top, view);
+    const auto target = drop_target(ui, rows, view, top);
     bool allowed = false;
     Edit move;
     if (target && target->place.anchor != layer->id) {
@@ -302,11 +309,11 @@ Requests draw_row(Ui& ui, const Rect& rect, const Row& row, const Shown& shown, 
     }
     requests.append(draw_eye(ui, parts.eye, *shown.material, row, view));
     if (layer.is_group()) {
-        const bool open = std::get<GroupContent>(layer.content).open;
+        const bool open = is_unfolded(layer, view);
         const Press angle = press(
             ui, parts.angle, {.label = "Unfolded", .kind = "angle", .value = open ? "on" : "off"});
         icon_glyph(ui, parts.angle, open ? icon::kAngleDown : icon::kAngleRight, theme::kText2, 14);
-        if (angle.clicked) requests.edit(set_group_open(*shown.material, layer, !open));
+        if (angle.clicked) view.unfolded_groups[layer.id] = !open;
     }
     requests.append(draw_name(ui, parts.name, *shown.material, row, view));
     requests.append(draw_details(ui, parts.details, *shown.material, row, view));
@@ -318,7 +325,7 @@ Requests draw_row(Ui& ui, const Rect& rect, const Row& row, const Shown& shown, 
     const Press pressed =
         press(ui, rect, {.label = layer.name, .kind = "row", .value = selected ? "selected" : ""});
     start_drag(ui, pressed, row, view);
-    if (pressed.started || pressed.right_clicked) view.layer = layer.id;
+    if (pressed.started || pressed.clicked || pressed.right_clicked) view.layer = layer.id;
     if (pressed.double_clicked) view.renaming_layer = layer.id;
     if (pressed.right_clicked) ImGui::OpenPopup("layer menu");
     draw_row_menu(ui, shown, requests);
@@ -397,7 +404,7 @@ Requests draw_layers_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     fill(ui, rect, theme::kPanel, 6);
     Rect rest = rect;
     std::vector<Row> rows;
-    if (shown.material) rows = rows_of(*shown.material, view.layer_search);
+    if (shown.material) rows = rows_of(*shown.material, view);
     Requests requests =
         draw_title(ui, rest.cut_top(ui.px(theme::kPanelTitle)), shown, rows.size(), view);
     if (view.layer_search) name_search(ui, rest, "Search layers", *view.layer_search);

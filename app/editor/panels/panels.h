@@ -24,8 +24,9 @@ Requests carry_shelf_drag(Ui& ui, const Rect& viewport, const Rect& layers, cons
                           ViewState& view);
 Requests draw_status_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 
-/// The right side: its tabs and the chosen one.
-Requests draw_properties(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+/// The right side: its tabs and the chosen one, but for the layers of a narrow window.
+Requests draw_properties(Ui& ui, const Rect& rect, bool narrow, const Shown& shown,
+                         ViewState& view);
 Requests draw_layer_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_explain_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);

@@ -4,7 +4,8 @@
 
 namespace patina::editor {
 
-Requests draw_properties(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
+Requests draw_properties(Ui& ui, const Rect& rect, bool narrow, const Shown& shown,
+                         ViewState& view) {
     const Place place(ui, "Properties");
     fill(ui, rect, theme::kPanel, 6);
     Rect rest = rect;
@@ -15,13 +16,18 @@ Requests draw_properties(Ui& ui, const Rect& rect, const Shown& shown, ViewState
     // Next to the tabs of the selection: what the view needs, comparing or explaining.
     const bool comparing =
         view.view.compare != render::CompareMode::Single && view.tool != ViewportTool::Probe;
-    if (tab(ui, tabs, {"Layer", view.right_tab == RightTab::Layer}))
-        view.right_tab = RightTab::Layer;
+    const RightTab chosen =
+        !narrow && view.right_tab == RightTab::Layers ? RightTab::Layer : view.right_tab;
+    if (narrow && tab(ui, tabs, {"Layers", chosen == RightTab::Layers}))
+        view.right_tab = RightTab::Layers;
+    if (tab(ui, tabs, {"Layer", chosen == RightTab::Layer})) view.right_tab = RightTab::Layer;
     if (tab(ui, tabs, {"Material", view.right_tab == RightTab::Material}))
         view.right_tab = RightTab::Material;
     if (tab(ui, tabs, {comparing ? "Compare" : "Explain", view.right_tab == RightTab::Inspect}))
         view.right_tab = RightTab::Inspect;
-    switch (view.right_tab) {
+    switch (chosen) {
+        case RightTab::Layers:
+            return {};
         case RightTab::Layer:
             return draw_layer_tab(ui, rest, shown, view);
         case RightTab::Material:

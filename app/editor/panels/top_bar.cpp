@@ -44,7 +44,8 @@ Requests draw_menu(Ui& ui, Menu menu, const Shown& shown) {
         if (popup.item({.icon = row.icon,
                         .label = row.label,
                         .key = row.key,
-                        .enabled = applies(row.action, shown)}))
+                        .enabled = applies(row.action, shown),
+                        .ticked = row.action == Action::KeepPrevious && shown.keeps_previous}))
             requests.ask(row.action);
     }
     return requests;

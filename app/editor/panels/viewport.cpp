@@ -129,9 +129,11 @@ void draw_divider(Ui& ui, const Rect& rect, render::View& view) {
     const Rect grab{x - ui.px(6), rect.y0, x + ui.px(6), rect.y1};
     const Rect handle = Rect{x, rect.y0, x, rect.y1}.centered(ui.px(30), ui.px(30));
     const std::string value = number_text(static_cast<double>(view.divider), {.decimals = 3});
-    const Press on_handle =
-        press(ui, handle, {.label = "Divider", .kind = "handle", .value = value, .tip = &tip});
-    const Press on_line = press(ui, grab, {.label = "Divider line", .kind = "handle"});
+    const Press on_handle = press(
+        ui, handle,
+        {.label = "Divider", .kind = "handle", .value = value, .tip = &tip, .focusable = false});
+    const Press on_line =
+        press(ui, grab, {.label = "Divider line", .kind = "handle", .focusable = false});
     const bool lit = on_handle.hovered || on_line.hovered || on_handle.held || on_line.held;
     if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if ((on_handle.held || on_line.held) && ImGui::GetIO().MouseDelta.x != 0.0f)
@@ -333,6 +335,8 @@ Requests draw_toast(Ui& ui, const Rect& box, const ToastShown& toast) {
     const Place place(ui, "Toast", static_cast<std::uint64_t>(toast.id));
     const bool error = toast.kind == ToastKind::Error;
     note(ui, box, {.label = toast.message, .kind = "toast", .value = error ? "error" : "note"});
+    const ImVec2 mouse = ImGui::GetMousePos();
+    if (box.contains(mouse.x, mouse.y)) requests.ask(HoldToast{toast.id});
     fill(ui, box, theme::kPopup, 6);
     outline(ui, box, theme::kBorder, 6);
     fill(ui, {box.x0, box.y0, box.x0 + ui.px(3), box.y1}, error ? theme::kError : theme::kAccent, 6,
@@ -468,7 +472,8 @@ Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& 
     draw_gizmo(ui, rect, view.camera);
     if (const auto scale = scale_of(view); scale && shown.toasts.empty())
         draw_scale(ui, rect, *scale);
-    const Press pressed = press(ui, rect, {.label = "Model", .kind = "viewport"});
+    const Press pressed =
+        press(ui, rect, {.label = "Model", .kind = "viewport", .focusable = false});
     requests.append(move_camera(ui, rect, pressed, shown, state));
     requests.append(pick_with(rect, pressed, state));
     if (state.crosshair)

@@ -13,21 +13,15 @@
 #include "core/log.h"
 #include "document/edits.h"
 #include "editor/session/thumbnail_materials.h"
-#include "io/image_file.h"
-#include "io/mesh_to_glb.h"
-#include "io/save.h"
 #include "render/environment.h"
-#include "scene/shapes.h"
 
 namespace patina::editor {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double kToastSeconds = 6.0;
+constexpr double kHeldToastSeconds = 2.0;  // after the pointer has left it
 constexpr std::size_t kMostToasts = 3;
 constexpr std::size_t kMostLogLines = 200;
-constexpr int kStillSamples = 16;
 
 double now_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -41,20 +35,6 @@ std::size_t resident_bytes() {
     std::size_t resident = 0;
     constexpr std::size_t kPage = 4096;
     return statm >> total >> resident ? resident * kPage : 0;
-}
-
-std::string environment_label(const std::string& name) {
-    for (const render::BuiltinEnvironment& builtin : render::kBuiltinEnvironments)
-        if (builtin.id == name) return std::string(builtin.label);
-    return fs::path(name).stem().string();
-}
-
-Result<ImagePtr> environment_map(const std::string& name) {
-    if (Result<Image> builtin = render::builtin_environment(name))
-        return std::make_shared<const Image>(std::move(*builtin));
-    const Result<Bytes> file = read_file(name);
-    if (!file) return passed_on(file);
-    return io::decode_image(*file, name);
 }
 
 /// The channel of the stack that a channel view shows, if it shows one.
@@ -102,172 +82,19 @@ Session::Session(std::function<void()> wake, ViewportPicture picture)
         const std::lock_guard lock(*mutex);
         inbox->push_back({level != LogLevel::Info, std::string(line)});
     });
-    for (const render::BuiltinEnvironment& builtin : render::kBuiltinEnvironments)
-        environments_.push_back({std::string(builtin.id), std::string(builtin.label)});
     if (Result<std::vector<io::PresetFile>> presets = io::shipped_presets())
         presets_ = std::move(*presets);
     else
         log_warning("{}", presets.error().message);
     for (const io::PresetFile& file : presets_) preset_list_.push_back(&file.preset);
     thumbnails_.set_presets(&presets_);
-    filter_environment("studio");
+    thumbnails_.set_environments(
+        [this](const std::string& name) { return environments_.find(name); });
+    light_with("studio");
 }
 
 Session::~Session() {
     set_log_sink({});
-}
-
-// --- files ---------------------------------------------------------------------------------------
-
-void Session::report_job_failure(const Error& error) {
-    if (error.message.find("cancelled") != std::string::npos)
-        toast(ToastKind::Note, "Cancelled");
-    else
-        toast(ToastKind::Error, error.message);
-}
-
-void Session::open(const fs::path& path) {
-    jobs_.start("Opening " + path.filename().string(), [this, path](const Progress& progress) {
-        auto loaded =
-            std::make_shared<Result<io::LoadedDocument>>(io::load_document(path, {}, progress));
-        return [this, path, loaded] {
-            if (*loaded)
-                adopt(std::move(**loaded), path);
-            else
-                report_job_failure(loaded->error());
-        };
-    });
-}
-
-void Session::open_sample() {
-    jobs_.start("Making the sample", [this](const Progress& progress) {
-        const std::array materials = {
-            io::PlainMaterial{.name = "Ball", .roughness = 0.4f},
-            io::PlainMaterial{
-                .name = "Stand", .base_color_linear = glm::vec3(0.06f), .roughness = 0.55f},
-        };
-        auto loaded = std::make_shared<Result<io::LoadedDocument>>(
-            io::load_document_from_memory(io::mesh_to_glb(shape_mesh(Shape::ShaderBall), materials),
-                                          "shader_ball.glb", {}, progress));
-        return [this, loaded] {
-            if (*loaded)
-                adopt(std::move(**loaded), {});
-            else
-                report_job_failure(loaded->error());
-        };
-    });
-}
-
-void Session::adopt(io::LoadedDocument loaded, fs::path path) {
-    history_.emplace(loaded.document);
-    images_ = loaded.images;
-    path_ = std::move(path);
-    texel_.reset();
-    thumbnails_.set_images(images_);
-    picture_.set_scene(loaded.document->scene);
-    frame_new_document_ = true;
-    for (const std::string& warning : loaded.warnings) log_warning("{}", warning);
-    if (!loaded.warnings.empty())
-        toast(ToastKind::Note,
-              loaded.warnings.size() == 1
-                  ? loaded.warnings.front()
-                  : fmt::format("Opened with {} warnings: see the log", loaded.warnings.size()));
-}
-
-void Session::save(const fs::path& path, std::function<void()> after) {
-    const DocumentPtr snapshot = history_->document();
-    const auto images = images_;
-    jobs_.start("Saving " + path.filename().string(),
-                [this, path, snapshot, images, after](const Progress& progress) {
-                    auto report = std::make_shared<Result<io::SaveReport>>(
-                        io::save_document(*snapshot, *images, path, {}, progress));
-                    return [this, path, snapshot, report, after] {
-                        if (!*report) {
-                            report_job_failure(report->error());
-                            return;
-                        }
-                        path_ = path;
-                        if (history_ && history_->document() == snapshot) history_->mark_saved();
-                        for (const std::string& warning : (*report)->warnings)
-                            log_warning("{}", warning);
-                        toast(ToastKind::Done, "Saved " + path.filename().string());
-                        if (after) after();
-                    };
-                });
-}
-
-void Session::export_maps(const fs::path& folder) {
-    const DocumentPtr snapshot = history_->document();
-    const auto images = images_;
-    const fs::path name = path_.empty() ? fs::path("shader_ball.glb") : path_.filename();
-    jobs_.start("Exporting maps", [this, folder, name, snapshot, images](const Progress& progress) {
-        const fs::path target = folder / name.stem().concat(".glb");
-        auto report = std::make_shared<Result<io::SaveReport>>(io::save_document(
-            *snapshot, *images, target, {.size = {}, .maps_folder = folder}, progress));
-        return [this, folder, report] {
-            if (!*report) {
-                report_job_failure(report->error());
-                return;
-            }
-            toast(ToastKind::Done,
-                  fmt::format("Exported {} maps to {}", (*report)->map_files.size(),
-                              folder.filename().string()));
-        };
-    });
-}
-
-void Session::save_view(const fs::path& path, const ViewState& state) {
-    render::View view = state.view;
-    view.lights = document().lights;
-    view.environment_rotation_degrees = document().environment.rotation_degrees;
-    view.environment_intensity = document().environment.intensity;
-    const Result<Image> still = picture_.still(view, {1920, 1080}, kStillSamples);
-    if (!still) return report_job_failure(still.error());
-    const Status written = io::write_image_file(path, *still);
-    if (!written) return report_job_failure(written.error());
-    toast(ToastKind::Done, "Saved " + path.filename().string());
-}
-
-void Session::with_image(const fs::path& path, std::function<void(const ImageAssetPtr&)> use) {
-    if (!images_) return;
-    jobs_.start("Reading " + path.filename().string(),
-                [this, path, images = images_, use = std::move(use)](const Progress&) {
-                    auto added = std::make_shared<Result<ImageAssetPtr>>(images->add_file(path));
-                    return [this, added, use] {
-                        if (*added)
-                            use(**added);
-                        else
-                            report_job_failure(added->error());
-                    };
-                });
-}
-
-void Session::apply_preset_file(const io::PresetFile& file, const ViewState& view,
-                                bool replace_stack) {
-    const MaterialPtr material = selected_material(view);
-    if (!material) return;
-    const Result<std::vector<ImageAssetPtr>> images = io::add_preset_images(file, *images_);
-    if (!images) return report_job_failure(images.error());
-    const LayerPtr layer = selected_layer(view);
-    const LayerPlace place = layer ? above(layer->id) : top_of_stack();
-    history_->seal();
-    const Edit edit = replace_stack ? replace_stack_by_preset(*material, file.preset, *images)
-                                    : apply_preset(*material, file.preset, place, *images);
-    if (!apply(edit)) return;
-    history_->seal();
-    toast(ToastKind::Done, fmt::format("{} applied to {}", file.preset.name, material->name),
-          "Undo", Action::Undo);
-}
-
-void Session::use_environment_file(const fs::path& path) {
-    const std::string name = fs::absolute(path).string();
-    const bool known = std::any_of(environments_.begin(), environments_.end(),
-                                   [&](const auto& each) { return each.name == name; });
-    if (!known) environments_.push_back({name, environment_label(name)});
-    if (history_)
-        apply(set_environment_name(name));
-    else
-        filter_environment(name);
 }
 
 // --- the document --------------------------------------------------------------------------------
@@ -303,11 +130,24 @@ void Session::select_something(ViewState& view) const {
 // --- around it -----------------------------------------------------------------------------------
 
 void Session::toast(ToastKind kind, std::string message, std::string link, Action action) {
+    if (kind == ToastKind::Error) {
+        log_warning("{}", message);
+        if (link.empty()) {
+            link = "Show log";
+            action = Action::ShowLog;
+        }
+    }
     const double until = kind == ToastKind::Error ? 0.0 : now_seconds() + kToastSeconds;
     toasts_.push_back({{next_toast_++, kind, std::move(message), std::move(link), action}, until});
     if (toasts_.size() > kMostToasts) toasts_.erase(toasts_.begin());
     wants_frame_ = true;
     wake_();
+}
+
+void Session::hold_toast(int toast) {
+    for (Toast& each : toasts_)
+        if (each.shown.id == toast && each.until > 0.0)
+            each.until = std::max(each.until, now_seconds() + kHeldToastSeconds);
 }
 
 void Session::dismiss(int toast) {
@@ -334,27 +174,34 @@ void Session::explain(ViewState& view, glm::vec2 at) {
     if (!material) return;
     view.crosshair = at;
     view.material = material->id;
-    TexelShown texel;
-    texel.probe = *probe;
-    texel.pixel = picture_.pixel(at);
-    texel.material = material->id;
+    texel_ = TexelShown{.probe = *probe, .pixel = picture_.pixel(at), .material = material->id};
+    explained_.reset();
+    follow_texel(view);
+}
+
+void Session::follow_texel(const ViewState& view) {
+    if (!texel_) return;
+    const MaterialPtr material = find_material(document(), texel_->material);
+    if (!material) return texel_.reset();
+    const std::optional<Channel> channel = stack_channel(view.view.channel);
+    if (explained_ == material && texel_->channel == channel) return;
+    explained_ = material;
     const int size = material->resolution;
     const auto texel_at = [size](float uv) {
         const float wrapped = uv - std::floor(uv);
         return std::min(static_cast<int>(wrapped * static_cast<float>(size)), size - 1);
     };
-    texel.texel_x = texel_at(probe->uv.x);
-    texel.texel_y = texel_at(probe->uv.y);
-    texel.channel = stack_channel(view.view.channel);
-    if (texel.channel) {
-        auto steps =
-            explain_texel(*material, *images_, *texel.channel, size, texel.texel_x, texel.texel_y);
-        if (steps)
-            texel.steps = std::move(*steps);
-        else
-            toast(ToastKind::Error, steps.error().message);
-    }
-    texel_ = std::move(texel);
+    texel_->texel_x = texel_at(texel_->probe.uv.x);
+    texel_->texel_y = texel_at(texel_->probe.uv.y);
+    texel_->channel = channel;
+    texel_->steps.clear();
+    if (!channel) return;
+    auto steps =
+        explain_texel(*material, *images_, *channel, size, texel_->texel_x, texel_->texel_y);
+    if (steps)
+        texel_->steps = std::move(*steps);
+    else
+        toast(ToastKind::Error, steps.error().message);
 }
 
 // --- a frame -------------------------------------------------------------------------------------
@@ -371,13 +218,13 @@ void Session::show_materials(const ViewState& view) {
     live_.show(std::move(materials), images_, view.material);
 }
 
-void Session::filter_environment(const std::string& name) {
-    environment_name_ = name;
+/// The first light as soon as there is one, the finished one when it is done.
+void Session::filter_environment(const EnvironmentSource& source, std::string label) {
     const int generation = ++environment_generation_;
     jobs_.start(
-        "Filtering " + environment_label(name),
-        [this, name, generation](const Progress& progress) -> Jobs::Delivery {
-            const Result<ImagePtr> map = environment_map(name);
+        "Filtering " + label,
+        [this, source, generation](const Progress& progress) -> Jobs::Delivery {
+            const Result<ImagePtr> map = read_environment(source);
             if (!map) return [this, error = map.error()] { report_job_failure(error); };
             auto light = std::make_shared<Result<render::FilteredEnvironment>>(
                 render::filter_environment(**map, render::FilterQuality::First, progress));
@@ -398,13 +245,19 @@ void Session::filter_environment(const std::string& name) {
         });
 }
 
+/// The studio lights what names no environment that may be read.
+void Session::light_with(const std::string& name) {
+    environment_name_ = name;
+    const Result<EnvironmentSource> source = environments_.find(name);
+    if (source) return filter_environment(*source, Environments::label_of(name));
+    log_warning("{}", source.error().message);
+    toast(ToastKind::Note, source.error().message);
+    filter_environment({.builtin = "studio"}, "Studio");
+}
+
 void Session::follow_environment() {
     const std::string& name = history_->document()->environment.name;
-    if (name == environment_name_) return;
-    const bool known = std::any_of(environments_.begin(), environments_.end(),
-                                   [&](const auto& each) { return each.name == name; });
-    if (!known) environments_.push_back({name, environment_label(name)});
-    filter_environment(name);
+    if (name != environment_name_) light_with(name);
 }
 
 void Session::update(ViewState& view, const FrameInput& input) {
@@ -421,6 +274,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
     if (history_) {
         select_something(view);
         follow_environment();
+        follow_texel(view);
         show_materials(view);
         const std::vector<LiveMaterials::Changed> changed = live_.take();
         for (const LiveMaterials::Changed& each : changed)
@@ -431,6 +285,9 @@ void Session::update(ViewState& view, const FrameInput& input) {
         if (std::exchange(frame_new_document_, false)) {
             view.view.camera = render::framed(picture_.bounds(), aspect);
             view.crosshair.reset();
+            view.solo = {};
+            view.viewed_mask = {};
+            view.unfolded_groups.clear();
         }
         render::View drawn = view.view;
         const Document& now = *history_->document();
@@ -443,6 +300,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         hovered_.reset();
         if (input.hovered) hovered_ = picture_.probe(*input.hovered);
     }
+    draw_still();
     if (thumbnails_.finish_some(input.moving)) wants_frame_ = true;
 }
 
@@ -450,13 +308,14 @@ Shown Session::shown(const ViewState& view) {
     Shown shown;
     shown.thumbnails = &thumbnails_;
     shown.presets = preset_list_;
-    shown.environments = environments_;
+    shown.environments = environments_.shown();
     jobs_shown_ = jobs_.shown();
     shown.jobs = jobs_shown_;
     toasts_shown_.clear();
     for (const Toast& toast : toasts_) toasts_shown_.push_back(toast.shown);
     shown.toasts = toasts_shown_;
     shown.log = log_;
+    shown.keeps_previous = keep_previous_;
     shown.cost = {.frame_ms = frame_ms_,
                   .composite_ms = composite_ms_,
                   .memory_bytes = resident_bytes(),

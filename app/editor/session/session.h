@@ -10,10 +10,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "document/history.h"
+#include "editor/session/environments.h"
 #include "editor/session/jobs.h"
 #include "editor/session/live_materials.h"
 #include "editor/session/thumbnail_cache.h"
@@ -37,12 +39,23 @@ class Session {
     void open_sample();
     /// @param after  called when the file has been written
     void save(const std::filesystem::path& path, std::function<void()> after = {});
+    /// Whether the first save of a file in this session leaves the version before as name~.
+    void set_keep_previous(bool keep) { keep_previous_ = keep; }
+    bool keeps_previous() const { return keep_previous_; }
     void export_maps(const std::filesystem::path& folder);
+    /// The copy of the model that export_maps writes beside the maps.
+    std::filesystem::path export_target(const std::filesystem::path& folder) const;
     void save_view(const std::filesystem::path& path, const ViewState& view);
     /// Reads an image on a worker and gives it to `use` as edits to make.
     void with_image(const std::filesystem::path& path,
                     std::function<void(const ImageAssetPtr&)> use);
-    void apply_preset_file(const io::PresetFile& file, const ViewState& view, bool replace_stack);
+    struct PresetTarget {
+        MaterialId material;
+        LayerId above;  ///< of none: on top
+        bool replace_stack = false;
+    };
+    void apply_preset_file(const io::PresetFile& file, const PresetTarget& target);
+    /// A panorama that the user chose.
     void use_environment_file(const std::filesystem::path& path);
 
     // The document.
@@ -62,6 +75,7 @@ class Session {
     void toast(ToastKind kind, std::string message, std::string link = {},
                Action action = Action::Undo);
     void dismiss(int toast);
+    void hold_toast(int toast);
     void cancel(int job) { jobs_.cancel(job); }
     /// Looks into a pixel, in shares of the picture.
     std::optional<render::Pick> pick(glm::vec2 at);
@@ -91,11 +105,18 @@ class Session {
     };
 
     Session(std::function<void()> wake, ViewportPicture picture);
+    struct StillWork;
+
     void adopt(io::LoadedDocument loaded, std::filesystem::path path);
     void select_something(ViewState& view) const;
     void show_materials(const ViewState& view);
     void follow_environment();
-    void filter_environment(const std::string& name);
+    void light_with(const std::string& name);
+    void filter_environment(const EnvironmentSource& source, std::string label);
+    void follow_texel(const ViewState& view);
+    void draw_still();
+    void lay_preset(const Preset& preset, const PresetTarget& target,
+                    const std::vector<ImageAssetPtr>& images);
     void expire_toasts();
     void report_job_failure(const Error& error);
 
@@ -109,8 +130,12 @@ class Session {
     int environment_generation_ = 0;
     std::vector<io::PresetFile> presets_;
     std::vector<const Preset*> preset_list_;
-    std::vector<EnvironmentShown> environments_;
+    Environments environments_;
+    bool keep_previous_ = true;
+    std::set<std::filesystem::path> kept_;  ///< files whose version before is kept
+    std::shared_ptr<StillWork> still_;
     std::optional<TexelShown> texel_;
+    MaterialPtr explained_;  ///< as of which texel_ is explained
     std::optional<render::Probe> hovered_;
     std::vector<JobShown> jobs_shown_;
     std::vector<Toast> toasts_;

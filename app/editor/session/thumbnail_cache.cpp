@@ -18,6 +18,7 @@ constexpr int kMapSide = 96;  // of squares: sharp up to 250 %
 constexpr int kBallMapSide = 256;
 constexpr int kBallSide = 192;
 constexpr std::size_t kMostEntries = 600;
+constexpr std::size_t kMostKeys = 4 * kMostEntries;
 
 Result<Image> base_color_picture(const Material& material, ImageProvider& images) {
     const Program program = Program::compile(material);
@@ -73,14 +74,16 @@ Image small_panorama(const Image& map) {
     return result;
 }
 
-Result<Image> environment_picture(const std::string& name) {
-    if (Result<Image> builtin = render::builtin_environment(name, 128))
+Result<Image> environment_picture(const EnvironmentSource& source) {
+    if (!source.builtin.empty()) {
+        const Result<Image> builtin = render::builtin_environment(source.builtin, 128);
+        if (!builtin) return passed_on(builtin);
         return small_panorama(*builtin);
-    const Result<Bytes> file = read_file(name);
-    if (!file) return passed_on(file);
-    const Result<ImagePtr> map = io::decode_image(*file, name);
+    }
+    const Result<ImagePtr> map = read_environment(source);
     if (!map) return passed_on(map);
-    if ((*map)->type != SampleType::F32) return failure("{}: not a float panorama", name);
+    if ((*map)->type != SampleType::F32)
+        return failure("{}: not a float panorama", quoted_for_message(source.file.string()));
     return small_panorama(**map);
 }
 
@@ -115,6 +118,16 @@ Result<Image> small_image(const Image& image) {
                 result.data[to] = image.data[from * sample + sample - 1];
             }
     return result;
+}
+
+/// The material whose base colour, or whose ball, is the subject's thumbnail.
+Material material_of(const ThumbnailCache::Subject& subject) {
+    if (const auto* layer = std::get_if<Layer>(&subject)) return layer_thumbnail(*layer);
+    if (const auto* mask = std::get_if<Mask>(&subject)) return mask_thumbnail(*mask);
+    if (const auto* entry = std::get_if<MaskEntry>(&subject)) return mask_entry_thumbnail(*entry);
+    if (const auto* source = std::get_if<ThumbnailCache::ChannelSource>(&subject))
+        return source_thumbnail(source->source, source->channel);
+    return std::get<Material>(subject);
 }
 
 Hash128 material_key(std::string_view kind, const Material& material) {
@@ -183,11 +196,20 @@ Picture ThumbnailCache::find(const Hash128& key, std::function<Made()> work) {
     return {reinterpret_cast<ImTextureID>(found->second.image->texture())};
 }
 
-Picture ThumbnailCache::of_material(std::string_view kind, Material shown, bool ball) {
+/// Keys are hashes of compiled programs, which cost more than a frame may: they are made when the
+/// subject is another than the last one in its place, and kept.
+Picture ThumbnailCache::of_subject(const Place& place, Subject subject) {
     if (!images_) return {};
-    const Hash128 key = material_key(kind, shown);
-    return find(key, [shown = std::move(shown), images = images_, ball]() -> Made {
-        if (!ball) {
+    const bool ball = std::holds_alternative<Material>(subject);
+    if (keys_.size() > kMostKeys) keys_.clear();
+    const auto [known, is_new] = keys_.try_emplace(place);
+    if (is_new || known->second.subject != subject) {
+        known->second.key = material_key(ball ? "ball" : "square", material_of(subject));
+        known->second.subject = subject;
+    }
+    return find(known->second.key, [subject = std::move(subject), images = images_]() -> Made {
+        const Material shown = material_of(subject);
+        if (!std::holds_alternative<Material>(subject)) {
             if (Result<Image> picture = base_color_picture(shown, *images))
                 return std::move(*picture);
             return {};
@@ -199,23 +221,24 @@ Picture ThumbnailCache::of_material(std::string_view kind, Material shown, bool 
 }
 
 Picture ThumbnailCache::layer(const Material&, const Layer& layer) {
-    return of_material("square", layer_thumbnail(layer), false);
+    return of_subject({PlaceKind::Layer, layer.id.value}, layer);
 }
 
 Picture ThumbnailCache::mask(const Material&, const Layer& layer) {
-    return of_material("square", mask_thumbnail(layer), false);
+    return of_subject({PlaceKind::Mask, layer.id.value}, layer.mask);
 }
 
 Picture ThumbnailCache::mask_entry(const Material&, const Layer&, const MaskEntry& entry) {
-    return of_material("square", mask_entry_thumbnail(entry), false);
+    return of_subject({PlaceKind::MaskEntry, entry.id.value}, entry);
 }
 
 Picture ThumbnailCache::channel_source(const Material&, const Layer& layer, Channel channel) {
-    return of_material("square", channel_thumbnail(layer, channel), false);
+    return of_subject({PlaceKind::Source, layer.id.value, channel},
+                      ChannelSource{at(layer.channels, channel).source, channel});
 }
 
 Picture ThumbnailCache::material(const Material& material) {
-    return of_material("ball", material, true);
+    return of_subject({PlaceKind::Material, material.id.value}, material);
 }
 
 Picture ThumbnailCache::preset(const Preset& preset) {
@@ -248,11 +271,13 @@ Picture ThumbnailCache::image(const ImageAsset& image) {
 }
 
 Picture ThumbnailCache::environment(const std::string& name) {
-    if (name.empty()) return {};
+    if (name.empty() || !environments_) return {};
+    const Result<EnvironmentSource> source = environments_(name);
+    if (!source) return {};
     Hasher hasher;
-    hasher.add("environment").add(name);
-    return find(hasher.finish(), [name]() -> Made {
-        if (Result<Image> picture = environment_picture(name)) return std::move(*picture);
+    hasher.add("environment").add(source->builtin).add(source->file.string());
+    return find(hasher.finish(), [source = *source]() -> Made {
+        if (Result<Image> picture = environment_picture(source)) return std::move(*picture);
         return {};
     });
 }

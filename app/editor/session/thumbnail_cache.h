@@ -16,6 +16,7 @@
 #include <unordered_map>
 
 #include "composite/image_provider.h"
+#include "editor/session/environments.h"
 #include "editor/session/material_ball.h"
 #include "editor/state/shown.h"
 #include "io/preset_library.h"
@@ -33,6 +34,18 @@ class ThumbnailCache final : public Thumbnails {
     /// Where the images of the document's layers come from. Null without a document.
     void set_images(std::shared_ptr<ImageProvider> images);
     void set_presets(const std::vector<io::PresetFile>* presets) { presets_ = presets; }
+    /// What an environment's name stands for.
+    void set_environments(std::function<Result<EnvironmentSource>(const std::string&)> find) {
+        environments_ = std::move(find);
+    }
+
+    struct ChannelSource {
+        Source source;
+        Channel channel = Channel::BaseColor;
+        bool operator==(const ChannelSource&) const = default;
+    };
+    /// What a thumbnail is of; a Material is shown as a ball.
+    using Subject = std::variant<Layer, Mask, MaskEntry, ChannelSource, Material>;
 
     /// Uploads what is ready, and draws at most one ball unless `hurried`. True when more is left.
     bool finish_some(bool hurried);
@@ -61,7 +74,18 @@ class ThumbnailCache final : public Thumbnails {
         std::uint64_t used = 0;
     };
     Picture find(const Hash128& key, std::function<Made()> work);
-    Picture of_material(std::string_view kind, Material shown, bool ball);
+    enum class PlaceKind { Layer, Mask, MaskEntry, Source, Material };
+    struct Place {
+        PlaceKind kind = PlaceKind::Layer;
+        std::uint64_t id = 0;
+        Channel channel = Channel::BaseColor;
+        auto operator<=>(const Place&) const = default;
+    };
+    struct Known {
+        Subject subject;
+        Hash128 key;
+    };
+    Picture of_subject(const Place& place, Subject subject);
     void run();
     Result<Image> ball_picture(const render::SurfaceMaterial& surface);
     void forget_unused();
@@ -69,6 +93,8 @@ class ThumbnailCache final : public Thumbnails {
     std::function<void()> wake_;
     std::shared_ptr<ImageProvider> images_;
     const std::vector<io::PresetFile>* presets_ = nullptr;
+    std::function<Result<EnvironmentSource>(const std::string&)> environments_;
+    std::map<Place, Known> keys_;
     std::unordered_map<Hash128, Entry, Hash128Hash> entries_;
     std::optional<Result<MaterialBall>> ball_;
     std::uint64_t clock_ = 0;

@@ -90,11 +90,11 @@ Material layer_thumbnail(const Layer& layer) {
     }
     const std::optional<Channel> channel = shown_channel(layer);
     if (!channel) return stack_of({});
-    return channel_thumbnail(layer, *channel);
+    return source_thumbnail(at(layer.channels, *channel).source, *channel);
 }
 
-Material mask_thumbnail(const Layer& layer) {
-    return stack_of({only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(layer.mask)});
+Material mask_thumbnail(const Mask& mask) {
+    return stack_of({only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(mask)});
 }
 
 Material mask_entry_thumbnail(const MaskEntry& entry) {
@@ -108,8 +108,8 @@ Material mask_entry_thumbnail(const MaskEntry& entry) {
         {only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(std::move(mask))});
 }
 
-Material channel_thumbnail(const Layer& layer, Channel channel) {
-    return stack_of({only_base_color(as_color(at(layer.channels, channel).source, channel))});
+Material source_thumbnail(const Source& source, Channel channel) {
+    return stack_of({only_base_color(as_color(source, channel))});
 }
 
 Material preset_thumbnail(const Preset& preset) {
@@ -128,7 +128,7 @@ Material with_only_layer(const Material& material, LayerId layer) {
 Material with_mask_shown(const Material& material, LayerId layer) {
     const LayerPtr found = find_layer(material, layer);
     if (!found) return material;
-    Material shown = mask_thumbnail(*found);
+    Material shown = mask_thumbnail(found->mask);
     Material copy = material;
     copy.stack = std::move(shown.stack);
     return copy;

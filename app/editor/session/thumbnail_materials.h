@@ -11,10 +11,11 @@ namespace patina::editor {
 /// The layer by itself, everywhere: without its mask, opacity and place in the stack. Where it has
 /// no base colour, its first other channel is shown as a grey or a colour.
 Material layer_thumbnail(const Layer& layer);
-/// White where the layer's mask lets it through, on black.
-Material mask_thumbnail(const Layer& layer);
+/// White where a mask lets the layer through, on black.
+Material mask_thumbnail(const Mask& mask);
 Material mask_entry_thumbnail(const MaskEntry& entry);
-Material channel_thumbnail(const Layer& layer, Channel channel);
+/// Of a channel: a number is shown as a grey, a direction as its usual colour.
+Material source_thumbnail(const Source& source, Channel channel);
 Material preset_thumbnail(const Preset& preset);
 
 /// What is shown instead of `material` while a layer is shown alone or its mask is viewed.

@@ -121,9 +121,4 @@ std::optional<render::Pick> ViewportPicture::pick(glm::vec2 at) {
     return renderer_.pick(pixel(at));
 }
 
-Result<Image> ViewportPicture::still(const render::View& view, render::PictureSize size,
-                                     int samples) {
-    return renderer_.still_srgb(view, size, samples);
-}
-
 }  // namespace patina::editor

@@ -40,7 +40,7 @@ class ViewportPicture {
     std::optional<render::Probe> probe(glm::vec2 at);
     std::optional<render::Pick> pick(glm::vec2 at);
     render::Pixel pixel(glm::vec2 at) const;
-    Result<Image> still(const render::View& view, render::PictureSize size, int samples);
+    render::Renderer& renderer() { return renderer_; }
 
   private:
     explicit ViewportPicture(render::Renderer renderer) : renderer_(std::move(renderer)) {}

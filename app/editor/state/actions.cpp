@@ -17,6 +17,7 @@ constexpr std::array kActions = {
     ActionInfo{Action::Save, Menu::File, icon::kSave, "Save", "Ctrl S", Needs::Document, true},
     ActionInfo{Action::SaveAs, Menu::File, nullptr, "Save as\u2026", "Ctrl Shift S", Needs::Document},
     ActionInfo{Action::Export, Menu::File, icon::kExport, "Export maps\u2026", "Ctrl E", Needs::Document},
+    ActionInfo{Action::KeepPrevious, Menu::File, nullptr, "Keep the previous version as name~", "", Nothing, true},
     ActionInfo{Action::Quit, Menu::File, nullptr, "Quit", "Ctrl Q", Nothing, true},
 
     ActionInfo{Action::Undo, Menu::Edit, icon::kUndo, "Undo", "Ctrl Z", UndoStep},
@@ -67,6 +68,7 @@ constexpr std::array kActions = {
     ActionInfo{Action::ShowUv, Menu::View, icon::kGrid, "UV coordinates", "U", Needs::Document},
     ActionInfo{Action::SaveView, Menu::View, icon::kCamera, "Save the view as PNG\u2026", "", Needs::Document},
     ActionInfo{Action::HidePanels, Menu::View, nullptr, "Hide or show panels", "F10", Nothing, true},
+    ActionInfo{Action::ShowLog, Menu::View, nullptr, "Log", "", Nothing},
     ActionInfo{Action::ResetLayout, Menu::View, nullptr, "Reset the layout", "", Nothing},
     ActionInfo{Action::LargerInterface, Menu::View, nullptr, "Larger interface", "Ctrl +", Nothing},
     ActionInfo{Action::SmallerInterface, Menu::View, nullptr, "Smaller interface", "Ctrl \u2212", Nothing},

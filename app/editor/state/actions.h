@@ -63,6 +63,8 @@ enum class Action {
     SaveView,
     ResetLayout,
     HidePanels,
+    ShowLog,
+    KeepPrevious,
     LargerInterface,
     SmallerInterface,
     Keys,

@@ -39,6 +39,10 @@ struct CancelJob {
 struct DismissToast {
     int toast = 0;
 };
+/// Keeps a message while the pointer is on it.
+struct HoldToast {
+    int toast = 0;
+};
 /// Asks for an image and puts it into a channel or a new mask entry of a layer.
 struct ChooseImageFor {
     LayerId layer;
@@ -52,14 +56,18 @@ struct PickAt {
 };
 
 using Request = std::variant<Action, TakeFile, ApplyPreset, AddImageAsLayer, JumpToStep, CancelJob,
-                             DismissToast, ChooseImageFor, PickAt>;
+                             DismissToast, HoldToast, ChooseImageFor, PickAt>;
 
 struct Requests {
     Edits edits;
     std::vector<Request> others;
 
     void edit(Edit edit) { edits.push_back(std::move(edit)); }
-    void ask(Request request) { others.push_back(std::move(request)); }
+    /// Made in place: GCC warns falsely about a variant that is moved.
+    template <typename Kind>
+    void ask(Kind request) {
+        others.emplace_back(std::move(request));
+    }
     void append(Requests more) {
         for (Edit& each : more.edits) edits.push_back(std::move(each));
         for (Request& each : more.others) others.push_back(std::move(each));

@@ -13,6 +13,7 @@
 #include "document/document.h"
 #include "document/preset.h"
 #include "editor/state/actions.h"
+#include "editor/widgets/log_lines.h"
 #include "editor/widgets/ui.h"
 #include "render/renderer.h"
 
@@ -51,11 +52,6 @@ struct ToastShown {
     Action action = Action::Undo;
 };
 
-struct LogLine {
-    bool is_warning = false;
-    std::string text;
-};
-
 struct HistoryShown {
     std::vector<std::string> labels;
     int position = 0;
@@ -84,8 +80,8 @@ struct TexelShown {
     MaterialId material;
     int texel_x = 0;
     int texel_y = 0;
-    std::vector<ExplainStep> steps;  ///< bottom to top, of `channel`
-    std::optional<Channel> channel;
+    std::vector<ExplainStep> steps = {};  ///< bottom to top, of `channel`
+    std::optional<Channel> channel = std::nullopt;
 };
 
 struct Shown {
@@ -98,6 +94,7 @@ struct Shown {
     std::span<const JobShown> jobs;
     std::span<const ToastShown> toasts;
     std::span<const LogLine> log;
+    bool keeps_previous = true;  ///< a first save leaves what was there as name~
     std::span<const Preset* const> presets;
     std::span<const EnvironmentShown> environments;
     CostShown cost;

@@ -5,6 +5,7 @@
 /// undone nor saved with it.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,8 +16,8 @@
 
 namespace patina::editor {
 
-enum class RightTab { Layer, Material, Inspect };
-enum class NarrowTab { Layers, Properties };
+/// Layers only where the window is too narrow for a left column; elsewhere that is Layer.
+enum class RightTab { Layers, Layer, Material, Inspect };
 enum class ShelfTab { Presets, Images, Environments };
 enum class HistoryTab { History, Log };
 enum class ViewportTool { Move, Probe };
@@ -27,6 +28,7 @@ struct Splitters {
     float right = 0.0f;
     float shelf = 0.0f;
     float materials = 0.0f;
+    bool operator==(const Splitters&) const = default;
 };
 
 /// Which parts are unfolded.
@@ -67,8 +69,7 @@ struct ViewState {
     /// Camera, compare mode, shading ...; its environment and lights are the document's and are
     /// filled in when it is drawn.
     render::View view;
-    RightTab right_tab = RightTab::Layer;
-    NarrowTab narrow_tab = NarrowTab::Layers;
+    RightTab right_tab = RightTab::Layers;
     ShelfTab shelf_tab = ShelfTab::Presets;
     HistoryTab history_tab = HistoryTab::History;
     ViewportTool tool = ViewportTool::Move;
@@ -88,8 +89,18 @@ struct ViewState {
     std::optional<glm::vec2> crosshair;
     /// The layer that is shown alone (Alt-click on its eye); 0: none.
     LayerId solo;
+    /// Groups that were folded or unfolded here, where the file may say otherwise.
+    std::map<LayerId, bool> unfolded_groups;
     /// Whose mask is shown in grey instead of the material; 0: none.
     LayerId viewed_mask;
 };
+
+/// Whether a group's children are listed below it. Folding is no edit: the file keeps what it said.
+inline bool is_unfolded(const Layer& group, const ViewState& view) {
+    const auto* content = std::get_if<GroupContent>(&group.content);
+    if (content == nullptr) return false;
+    const auto chosen = view.unfolded_groups.find(group.id);
+    return chosen != view.unfolded_groups.end() ? chosen->second : content->open;
+}
 
 }  // namespace patina::editor

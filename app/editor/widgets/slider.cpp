@@ -58,6 +58,17 @@ std::optional<double> stepped(const NumberSpec& spec, double value, const Press&
     return allowed(spec, value + (io.MouseWheel > 0.0f ? spec.step : -spec.step));
 }
 
+/// The arrows, by one step; Shift takes a tenth.
+std::optional<double> stepped_by_keys(Ui& ui, const NumberSpec& spec, double value,
+                                      const Press& press) {
+    if (!press.focused) return std::nullopt;
+    ui.focus.take_arrows();
+    const int step = ui.focus.arrow_step();
+    if (step == 0) return std::nullopt;
+    const double size = ImGui::GetIO().KeyShift && !spec.whole ? 0.1 * spec.step : spec.step;
+    return allowed(spec, value + step * size);
+}
+
 std::optional<double> value_menu(Ui& ui, const NumberSpec& spec, double value, const Press& press) {
     ImGui::PushID(static_cast<int>(press.id));
     if (press.right_clicked) ImGui::OpenPopup("value");
@@ -166,7 +177,8 @@ std::optional<double> number_field(Ui& ui, const Rect& rect, const NumberSpec& s
     }
     paint(ui, rect, spec, value, pressed);
     if (!spec.enabled) return std::nullopt;
-    if (pressed.double_clicked || (pressed.started && ImGui::GetIO().KeyCtrl)) {
+    const bool entered = pressed.focused && ui.focus.pressed();
+    if (pressed.double_clicked || entered || (pressed.started && ImGui::GetIO().KeyCtrl)) {
         ImGui::ClearActiveID();
         start_typing(ui, pressed.id,
                      number_text(value * spec.display_scale, {.decimals = spec.decimals}));
@@ -179,6 +191,7 @@ std::optional<double> number_field(Ui& ui, const Rect& rect, const NumberSpec& s
         ui.edit_ended = true;
         return next;
     }
+    if (const auto next = stepped_by_keys(ui, spec, value, pressed)) return next;
     return stepped(spec, value, pressed);
 }
 

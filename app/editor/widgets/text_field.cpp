@@ -11,6 +11,14 @@ namespace {
 
 constexpr double kCaretSeconds = 0.4;  // it blinks
 
+/// Whether the keyboard came to a text field that is not being typed into and pressed Enter there.
+bool entered_by_keyboard(Ui& ui, std::string_view label, const Rect& rect) {
+    const ImGuiID id = ImGui::GetCurrentWindow()->GetID(label.data(), label.data() + label.size());
+    if (!ui.focus.visit(id, rect)) return false;
+    ui.focus.drawn_at(visible_part(rect));
+    return ui.focus.pressed();
+}
+
 /// An InputText that sits in the middle of `rect` with the given font and no frame of its own.
 class BareInput {
   public:
@@ -72,7 +80,7 @@ bool search_field(Ui& ui, const Rect& rect, const SearchField& field, std::strin
     icon_glyph(ui, rest.cut_left(ui.px(16)), icon::kSearch, theme::kText3, 12);
     const BareInput input(ui, rest, ui.fonts.body13, ui.px(6));
     const std::string id = "##" + std::string(field.label);
-    if (field.focus) ImGui::SetKeyboardFocusHere();
+    if (entered_by_keyboard(ui, field.label, rect) || field.focus) ImGui::SetKeyboardFocusHere();
     return ImGui::InputTextWithHint(id.c_str(), std::string(field.hint).c_str(), &words);
 }
 
@@ -81,7 +89,7 @@ bool line_field(Ui& ui, const Rect& rect, std::string_view label, std::string& w
     ui.map.add(label, "text", words, visible_part(rect), true);
     const BareInput input(ui, rect, ui.fonts.body13, ui.px(8));
     const std::string id = "##" + std::string(label);
-    if (focus) ImGui::SetKeyboardFocusHere();
+    if (entered_by_keyboard(ui, label, rect) || focus) ImGui::SetKeyboardFocusHere();
     const bool entered = ImGui::InputText(id.c_str(), &words, ImGuiInputTextFlags_EnterReturnsTrue);
     if (ImGui::IsItemActive()) outline(ui, rect, theme::kAccent, 4, 1);
     return entered;

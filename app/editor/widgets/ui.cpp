@@ -97,9 +97,11 @@ void Ui::begin_frame() {
     tip_offered_ = false;
     edit_ended = false;
     map.begin_frame();
+    focus.begin_frame();
 }
 
 void Ui::end_frame() {
+    focus.end_frame(scale);
     if (!tip_offered_) {
         tip_id_ = 0;
         return;
@@ -252,6 +254,9 @@ Press press(Ui& ui, const Rect& rect, const Control& control) {
     name += control.kind;
     result.id = window->GetID(name.c_str());
     ui.map.add(control.label, control.kind, control.value, visible_part(rect), control.enabled);
+    const bool by_keyboard = control.enabled && control.focusable;
+    result.focused = by_keyboard && ui.focus.visit(result.id, rect);
+    if (result.focused) ui.focus.drawn_at(visible_part(rect));
     const ImRect box(rect.x0, rect.y0, rect.x1, rect.y1);
     if (!ImGui::ItemAdd(box, result.id)) return result;
     if (!control.enabled) {
@@ -268,7 +273,7 @@ Press press(Ui& ui, const Rect& rect, const Control& control) {
     result.held = held;
     result.started = held && !was_held;
     result.released = was_held && !held;
-    result.clicked = clicked;
+    result.clicked = clicked || (result.focused && ui.focus.pressed());
     result.double_clicked = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     result.right_clicked = hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     if (hovered && !held && control.tip != nullptr) ui.offer_tip(result.id, rect, *control.tip);

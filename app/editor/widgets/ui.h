@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/widgets/focus.h"
 #include "editor/widgets/fonts.h"
 #include "editor/widgets/icons.h"
 #include "editor/widgets/rect.h"
@@ -35,6 +36,7 @@ struct Control {
     std::string_view value = {};
     bool enabled = true;
     const Tip* tip = nullptr;
+    bool focusable = true;  ///< false: what only the pointer can work, and keys do otherwise
 };
 
 struct Press {
@@ -46,6 +48,7 @@ struct Press {
     bool clicked = false;   ///< and came up here
     bool double_clicked = false;
     bool right_clicked = false;
+    bool focused = false;  ///< the keyboard is at it
 };
 
 /// An image for the interface: a texture and the part of it to show. 0 has not been made yet.
@@ -60,6 +63,7 @@ class Ui {
     float scale = 1.0f;
     Fonts fonts;
     UiMap map;
+    Focus focus;
     /// Set by a control whose drag or typing ended: the next edit is a step of its own.
     bool edit_ended = false;
     /// Multiplies the alpha of all that is painted, for what is disabled or hidden; 0 to 255.

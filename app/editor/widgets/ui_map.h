@@ -30,6 +30,7 @@ class UiMap {
   public:
     /// Nothing is recorded without a file.
     void write_to(std::optional<std::filesystem::path> file) { file_ = std::move(file); }
+    bool is_written() const { return file_.has_value(); }
     void begin_frame();
     void push_place(std::string_view name) { place_.emplace_back(name); }
     void pop_place() { place_.pop_back(); }

@@ -147,7 +147,7 @@ TEST(History, IsEditedIsRelativeToTheLastSave) {
     EXPECT_FALSE(history.is_edited());
     ASSERT_TRUE(history.apply(opacity_of_top(history, 0.5f)));
     EXPECT_TRUE(history.is_edited());
-    history.mark_saved();
+    history.mark_saved(history.document());
     EXPECT_FALSE(history.is_edited());
     // The drag goes on after the save: it must not be taken for what was saved.
     ASSERT_TRUE(history.apply(opacity_of_top(history, 0.4f)));

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "editor/dialogs/log_dialog.h"
+
+#include "editor/dialogs/modal.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/log_lines.h"
+
+namespace patina::editor {
+
+void LogDialog::draw(Ui& ui, std::span<const LogLine> log) {
+    if (!open_) return;
+    const Modal modal(ui, {"Log", 640, 420}, [this] { return open_; });
+    Rect rest = modal.content().inset(ui.px(20), ui.px(16));
+    text(ui, rest.cut_top(ui.px(24)), ui.fonts.name15, theme::kText, "Log");
+    rest.cut_top(ui.px(8));
+    Rect buttons = rest.cut_bottom(ui.px(26));
+    rest.cut_bottom(ui.px(12));
+    fill(ui, rest, theme::kPanel, 4);
+    draw_log_lines(ui, rest.inset(0, ui.px(8)), log);
+    const TextButton close{.label = "Close", .main = true};
+    if (text_button(ui, buttons.cut_right(text_button_width(ui, close)), close) ||
+        modal.dismissed())
+        open_ = false;
+    buttons.cut_right(ui.px(6));
+    const TextButton copy{.label = "Copy", .enabled = !log.empty()};
+    if (!text_button(ui, buttons.cut_right(text_button_width(ui, copy)), copy)) return;
+    std::string all;
+    for (const LogLine& each : log) all += each.text + '\n';
+    ImGui::SetClipboardText(all.c_str());
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+
+/// The part of the session that reads and writes files, on workers.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <future>
+#include <utility>
+
+#include "core/log.h"
+#include "document/edits.h"
+#include "editor/session/session.h"
+#include "io/image_file.h"
+#include "io/mesh_to_glb.h"
+#include "io/save.h"
+#include "scene/shapes.h"
+
+namespace patina::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kStillSamples = 16;
+constexpr render::PictureSize kStillSize{1920, 1080};
+constexpr auto kCancelPoll = std::chrono::milliseconds(50);
+
+}  // namespace
+
+/// A still under way: the thread that draws makes it a sample a frame, a worker waits for it.
+struct Session::StillWork {
+    render::Still still;
+    std::promise<Result<render::StillMean>> made;
+    std::atomic<float> drawn_share = 0.0f;
+    std::atomic<bool> given_up = false;
+};
+
+void Session::report_job_failure(const Error& error) {
+    if (error.message.find("cancelled") != std::string::npos)
+        toast(ToastKind::Note, "Cancelled");
+    else
+        toast(ToastKind::Error, error.message);
+}
+
+void Session::open(const fs::path& path) {
+    jobs_.start("Opening " + path.filename().string(), [this, path](const Progress& progress) {
+        auto loaded =
+            std::make_shared<Result<io::LoadedDocument>>(io::load_document(path, {}, progress));
+        return [this, path, loaded] {
+            if (*loaded)
+                adopt(std::move(**loaded), path);
+            else
+                report_job_failure(loaded->error());
+        };
+    });
+}
+
+void Session::open_sample() {
+    jobs_.start("Making the sample", [this](const Progress& progress) {
+        const std::array materials = {
+            io::PlainMaterial{.name = "Ball", .roughness = 0.4f},
+            io::PlainMaterial{
+                .name = "Stand", .base_color_linear = glm::vec3(0.06f), .roughness = 0.55f},
+        };
+        auto loaded = std::make_shared<Result<io::LoadedDocument>>(
+            io::load_document_from_memory(io::mesh_to_glb(shape_mesh(Shape::ShaderBall), materials),
+                                          "shader_ball.glb", {}, progress));
+        return [this, loaded] {
+            if (*loaded)
+                adopt(std::move(**loaded), {});
+            else
+                report_job_failure(loaded->error());
+        };
+    });
+}
+
+void Session::adopt(io::LoadedDocument loaded, fs::path path) {
+    history_.emplace(loaded.document);
+    images_ = loaded.images;
+    path_ = std::move(path);
+    texel_.reset();
+    environments_.set_folder(path_.empty() ? fs::path() : fs::absolute(path_).parent_path());
+    environment_name_.clear();
+    thumbnails_.set_images(images_);
+    picture_.set_scene(loaded.document->scene);
+    frame_new_document_ = true;
+    for (const std::string& warning : loaded.warnings) log_warning("{}", warning);
+    if (loaded.warnings.empty()) return;
+    if (loaded.warnings.size() == 1)
+        toast(ToastKind::Note, loaded.warnings.front(), "Show log", Action::ShowLog);
+    else
+        toast(ToastKind::Note, fmt::format("Opened with {} warnings", loaded.warnings.size()),
+              "Show log", Action::ShowLog);
+}
+
+void Session::save(const fs::path& path, std::function<void()> after) {
+    const DocumentPtr snapshot = history_->document();
+    // What was there before this session stays, not what the save before left.
+    const bool keep = keep_previous_ && !kept_.contains(fs::absolute(path));
+    jobs_.start("Saving " + path.filename().string(),
+                [this, path, snapshot, images = images_, after = std::move(after),
+                 keep](const Progress& progress) {
+                    auto report = std::make_shared<Result<io::SaveReport>>(io::save_document(
+                        *snapshot, *images, path, {.keep_previous = keep}, progress));
+                    return [this, path, snapshot, images, report, after] {
+                        if (!*report) return report_job_failure(report->error());
+                        kept_.insert(fs::absolute(path));
+                        for (const std::string& warning : (*report)->warnings)
+                            log_warning("{}", warning);
+                        toast(ToastKind::Done, "Saved " + path.filename().string());
+                        if (images != images_) return;  // of a document that is closed
+                        history_->mark_saved(snapshot);
+                        path_ = path;
+                        environments_.set_folder(fs::absolute(path).parent_path());
+                        if (after) after();
+                    };
+                });
+}
+
+fs::path Session::export_target(const fs::path& folder) const {
+    const fs::path name = path_.empty() ? fs::path("shader_ball.glb") : path_.filename();
+    return folder / name.stem().concat(".glb");
+}
+
+void Session::export_maps(const fs::path& folder) {
+    const DocumentPtr snapshot = history_->document();
+    jobs_.start("Exporting maps", [this, folder, target = export_target(folder), snapshot,
+                                   images = images_](const Progress& progress) {
+        auto report = std::make_shared<Result<io::SaveReport>>(io::save_document(
+            *snapshot, *images, target, {.size = {}, .maps_folder = folder}, progress));
+        return [this, folder, report] {
+            if (!*report) return report_job_failure(report->error());
+            toast(ToastKind::Done,
+                  fmt::format("Exported {} maps to {}", (*report)->map_files.size(),
+                              folder.filename().string()));
+        };
+    });
+}
+
+void Session::save_view(const fs::path& path, const ViewState& state) {
+    if (still_) return toast(ToastKind::Note, "A view is being saved: wait until it is done");
+    auto work = std::make_shared<StillWork>();
+    work->still = {.view = state.view, .size = kStillSize, .samples = kStillSamples};
+    work->still.view.lights = document().lights;
+    work->still.view.environment_rotation_degrees = document().environment.rotation_degrees;
+    work->still.view.environment_intensity = document().environment.intensity;
+    still_ = work;
+    jobs_.start("Saving " + path.filename().string(),
+                [this, path, work](const Progress& progress) -> Jobs::Delivery {
+                    auto made = work->made.get_future();
+                    while (made.wait_for(kCancelPoll) != std::future_status::ready) {
+                        progress.report(work->drawn_share);
+                        if (progress.cancelled()) {
+                            work->given_up = true;
+                            return [this] { toast(ToastKind::Note, "Cancelled"); };
+                        }
+                    }
+                    const Result<render::StillMean> mean = made.get();
+                    if (!mean) return [this, error = mean.error()] { report_job_failure(error); };
+                    const Status written = io::write_image_file(path, render::srgb_image(*mean));
+                    return [this, path, written] {
+                        if (!written) return report_job_failure(written.error());
+                        toast(ToastKind::Done, "Saved " + path.filename().string());
+                    };
+                });
+}
+
+/// One more sample of the still that is under way.
+void Session::draw_still() {
+    if (!still_) return;
+    StillWork& work = *still_;
+    if (work.given_up) return still_.reset();
+    const Status drawn = picture_.renderer().draw_sample(work.still);
+    work.drawn_share =
+        static_cast<float>(work.still.drawn) / static_cast<float>(work.still.samples);
+    wants_frame_ = true;
+    if (drawn && !work.still.is_finished()) return;
+    if (drawn)
+        work.made.set_value(picture_.renderer().mean(work.still));
+    else
+        work.made.set_value(passed_on(drawn));
+    still_.reset();
+}
+
+void Session::with_image(const fs::path& path, std::function<void(const ImageAssetPtr&)> use) {
+    if (!images_) return;
+    jobs_.start("Reading " + path.filename().string(),
+                [this, path, images = images_, use = std::move(use)](const Progress&) {
+                    auto added = std::make_shared<Result<ImageAssetPtr>>(images->add_file(path));
+                    return [this, added, use, images] {
+                        if (images != images_) return;  // of a document that is closed
+                        if (*added)
+                            use(**added);
+                        else
+                            report_job_failure(added->error());
+                    };
+                });
+}
+
+void Session::apply_preset_file(const io::PresetFile& file, const PresetTarget& target) {
+    jobs_.start("Reading " + file.preset.name,
+                [this, file, target, images = images_](const Progress&) {
+                    auto added = std::make_shared<Result<std::vector<ImageAssetPtr>>>(
+                        io::add_preset_images(file, *images));
+                    return [this, file, target, images, added] {
+                        if (images != images_) return;  // of a document that is closed
+                        if (!*added) return report_job_failure(added->error());
+                        lay_preset(file.preset, target, **added);
+                    };
+                });
+}
+
+void Session::lay_preset(const Preset& preset, const PresetTarget& target,
+                         const std::vector<ImageAssetPtr>& images) {
+    const MaterialPtr material = find_material(document(), target.material);
+    if (!material) return;
+    const LayerPtr layer = find_layer(*material, target.above);
+    const LayerPlace place = layer ? above(layer->id) : top_of_stack();
+    history_->seal();
+    const Edit edit = target.replace_stack ? replace_stack_by_preset(*material, preset, images)
+                                           : apply_preset(*material, preset, place, images);
+    if (!apply(edit)) return;
+    history_->seal();
+    toast(ToastKind::Done, fmt::format("{} applied to {}", preset.name, material->name), "Undo",
+          Action::Undo);
+}
+
+void Session::use_environment_file(const fs::path& path) {
+    const std::string name = environments_.choose(path);
+    if (!history_ || document().environment.name == name) return light_with(name);
+    apply(set_environment_name(name));
+}
+
+}  // namespace patina::editor
