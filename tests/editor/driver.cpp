@@ -25,11 +25,22 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPatience = std::chrono::seconds(120);
 constexpr int kPollMs = 15;
 
-std::vector<std::string> environment_with(const std::string& display) {
+/// What a program finds around it beside what is here.
+struct Surroundings {
+    std::string display;
+    std::string settings_folder;  ///< of this test alone
+};
+
+std::vector<std::string> environment_with(const Surroundings& around) {
     std::vector<std::string> result;
-    for (char** entry = environ; *entry != nullptr; ++entry)
-        if (!std::string_view(*entry).starts_with("DISPLAY=")) result.emplace_back(*entry);
-    if (!display.empty()) result.push_back("DISPLAY=" + display);
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        const std::string_view variable(*entry);
+        if (!variable.starts_with("DISPLAY=") && !variable.starts_with("XDG_CONFIG_HOME="))
+            result.emplace_back(variable);
+    }
+    if (!around.display.empty()) result.push_back("DISPLAY=" + around.display);
+    if (!around.settings_folder.empty())
+        result.push_back("XDG_CONFIG_HOME=" + around.settings_folder);
     return result;
 }
 
@@ -40,9 +51,9 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
     return result;
 }
 
-pid_t start(std::vector<std::string> words, const std::string& display,
+pid_t start(std::vector<std::string> words, const Surroundings& around,
             posix_spawn_file_actions_t* actions) {
-    std::vector<std::string> environment = environment_with(display);
+    std::vector<std::string> environment = environment_with(around);
     const std::vector<char*> argv = pointers_to(words);
     const std::vector<char*> envp = pointers_to(environment);
     pid_t child = -1;
@@ -70,7 +81,7 @@ bool has_ended(pid_t child) {
 }  // namespace
 
 int run_tool(const std::vector<std::string>& words, const std::string& display) {
-    const pid_t child = start(words, display, nullptr);
+    const pid_t child = start(words, {display, {}}, nullptr);
     return child < 0 ? -1 : end_status(child);
 }
 
@@ -84,7 +95,7 @@ Display::Display(int width, int height) {
     child_ =
         start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
                std::to_string(width) + "x" + std::to_string(height) + "x24", "-nolisten", "tcp"},
-              "", &actions);
+              {}, &actions);
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
     // Xvfb writes the number of its display and a line break when it takes clients.
@@ -119,7 +130,7 @@ Editor::Editor(const std::string& display, const fs::path& folder,
     fs::remove(map_file_);
     std::vector<std::string> words = {PATINA_PROGRAM, "--ui-map", map_file_.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    child_ = start(words, display, nullptr);
+    child_ = start(words, {display, (folder / "settings").string()}, nullptr);
 }
 
 Editor::~Editor() {

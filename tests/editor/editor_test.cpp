@@ -3,64 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
-#include "document/record.h"
-#include "editor/driver.h"
-#include "io/load.h"
+#include "editor/editor_fixture.h"
 
 namespace patina::editor_tests {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
-
-class EditorTest : public testing::Test {
-  protected:
-    EditorTest() {
-        std::string pattern = (fs::temp_directory_path() / "patina-editor-XXXXXX").string();
-        folder_ = ::mkdtemp(pattern.data());
-    }
-    ~EditorTest() override { fs::remove_all(folder_); }
-
-    void SetUp() override {
-        if (display_.name().empty()) GTEST_SKIP() << "Xvfb is not installed";
-    }
-
-    std::vector<std::string> arguments(const fs::path& file) const {
-        return {"--window", std::to_string(kWidth) + "x" + std::to_string(kHeight), "--scale", "1",
-                file.string()};
-    }
-    fs::path sample() const {
-        const fs::path file = folder_ / "sample.glb";
-        EXPECT_EQ(run_tool({PATINA_PROGRAM, "sample", "-o", file.string()}, ""), 0);
-        return file;
-    }
-    static std::string bytes(const fs::path& file) {
-        std::ifstream in(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    /// The stack of the file's first material, as Patina reads it back.
-    static std::string stored(const fs::path& file) {
-        const auto loaded = io::load_document(file);
-        if (!loaded) return loaded.error().message;
-        return serialise(*loaded->document);
-    }
-
-    Display display_{kWidth, kHeight};
-    fs::path folder_;
-};
-
-bool add_layer(const Editor& editor, const std::string& item) {
-    const std::size_t before = editor.layers().size();
-    return editor.click("Layers", "Add layer", "button") &&
-           editor.click("Layers/Popup", item, "item") &&
-           editor.wait_for(item, [&] { return editor.layers().size() == before + 1; }) &&
-           editor.settle();
-}
 
 TEST_F(EditorTest, WhatIsLayeredMaskedSavedAndReopenedIsWhatWasOnScreen) {
     const fs::path file = sample();
