@@ -89,6 +89,63 @@ void blend_normals(const BlendTask& task) {
                                     : blend_directions<Mode, false>(task);
 }
 
+/// The pixel loop of the modes that look at a colour as a whole.
+template <class Mode, bool kCovered>
+HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask& task) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
+        const Real weight = weight_at(task, i);
+        const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
+        const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
+                             load(task.target[2] + i));
+        const Real3 source(load(task.source[0], i), load(task.source[1], i),
+                           load(task.source[2], i));
+        const Real3 blended = Mode::blend(backdrop, source);
+        const auto laid = [&](Real below, Real own, Real mixed) {
+            return kCovered ? over_covered(below, coverage, own, mixed, weight)
+                            : formulae::over_opaque(below, mixed, weight);
+        };
+        store(laid(backdrop.x, source.x, blended.x), task.target[0] + i);
+        store(laid(backdrop.y, source.y, blended.y), task.target[1] + i);
+        store(laid(backdrop.z, source.z, blended.z), task.target[2] + i);
+        if (kCovered) store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+    }
+}
+
+template <class Mode>
+void blend_colors(const BlendTask& task) {
+    task.target_coverage != nullptr ? blend_whole_colors<Mode, true>(task)
+                                    : blend_whole_colors<Mode, false>(task);
+}
+
+/// The source takes the place of the accumulator, its clear parts included; an accumulator that is
+/// opaque stays so, and keeps its value where nothing at all is left.
+HWY_NOINLINE HWY_FLATTEN void blend_replacing(const BlendTask& task) {
+    const bool normal = task.channel == Channel::Normal;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
+        const Real weight = weight_at(task, i);
+        const Real own = load(task.source_coverage, i);
+        const Real coverage =
+            task.target_coverage != nullptr ? load(task.target_coverage + i) : Real(1.0f);
+        const Real left = formulae::replaced_coverage(coverage, own, weight);
+        Real values[3] = {0.0f, 0.0f, 0.0f};
+        for (int k = 0; k < component_count(task.channel); ++k) {
+            const Real backdrop = load(task.target[k] + i);
+            const Real laid = formulae::replaced_premultiplied(
+                backdrop, coverage, load(task.source[k], i), own, weight);
+            values[k] = select(left > 0.0f, formulae::unpremultiplied(laid, left), backdrop);
+        }
+        if (normal) {
+            const Real3 unit = formulae::unit_normal(Real3(values[0], values[1], values[2]));
+            values[0] = unit.x;
+            values[1] = unit.y;
+            values[2] = unit.z;
+        }
+        for (int k = 0; k < component_count(task.channel); ++k)
+            store(values[k], task.target[k] + i);
+        if (task.target_coverage != nullptr) store(left, task.target_coverage + i);
+    }
+}
+
 #define PATINA_SEPARABLE_MODE(NAME, FORMULA)                 \
     struct NAME {                                            \
         static HWY_INLINE Real blend(Real below, Real own) { \
@@ -98,16 +155,49 @@ void blend_normals(const BlendTask& task) {
 PATINA_SEPARABLE_MODE(NormalMode, blend_normal)
 PATINA_SEPARABLE_MODE(Darken, blend_darken)
 PATINA_SEPARABLE_MODE(Multiply, blend_multiply)
+PATINA_SEPARABLE_MODE(ColorBurn, blend_color_burn)
+PATINA_SEPARABLE_MODE(LinearBurn, blend_linear_burn)
 PATINA_SEPARABLE_MODE(Lighten, blend_lighten)
 PATINA_SEPARABLE_MODE(Screen, blend_screen)
+PATINA_SEPARABLE_MODE(ColorDodge, blend_color_dodge)
 PATINA_SEPARABLE_MODE(Add, blend_add)
 PATINA_SEPARABLE_MODE(Overlay, blend_overlay)
 PATINA_SEPARABLE_MODE(SoftLightW3c, blend_soft_light_w3c)
+PATINA_SEPARABLE_MODE(SoftLightPegtop, blend_soft_light_pegtop)
+PATINA_SEPARABLE_MODE(HardLight, blend_hard_light)
+PATINA_SEPARABLE_MODE(VividLight, blend_vivid_light)
+PATINA_SEPARABLE_MODE(LinearLight, blend_linear_light)
+PATINA_SEPARABLE_MODE(PinLight, blend_pin_light)
+PATINA_SEPARABLE_MODE(HardMix, blend_hard_mix)
 PATINA_SEPARABLE_MODE(Difference, blend_difference)
+PATINA_SEPARABLE_MODE(Exclusion, blend_exclusion)
 PATINA_SEPARABLE_MODE(Subtract, blend_subtract)
+PATINA_SEPARABLE_MODE(InverseSubtract, blend_inverse_subtract)
+PATINA_SEPARABLE_MODE(Divide, blend_divide)
+PATINA_SEPARABLE_MODE(InverseDivide, blend_inverse_divide)
+PATINA_SEPARABLE_MODE(SignedAdd, blend_signed_add)
+PATINA_SEPARABLE_MODE(Average, blend_average)
 PATINA_SEPARABLE_MODE(HeightAdd, height_add)
 PATINA_SEPARABLE_MODE(HeightMax, height_max)
+PATINA_SEPARABLE_MODE(HeightMin, height_min)
+PATINA_SEPARABLE_MODE(HeightSubtract, height_subtract)
 #undef PATINA_SEPARABLE_MODE
+
+#define PATINA_COLOR_MODE(NAME, FORMULA)                        \
+    struct NAME {                                               \
+        static HWY_INLINE Real3 blend(Real3 below, Real3 own) { \
+            return formulae::FORMULA(below, own);               \
+        }                                                       \
+    };
+PATINA_COLOR_MODE(HueW3c, blend_hue_w3c)
+PATINA_COLOR_MODE(SaturationW3c, blend_saturation_w3c)
+PATINA_COLOR_MODE(ColorW3c, blend_color_w3c)
+PATINA_COLOR_MODE(LuminosityW3c, blend_luminosity_w3c)
+PATINA_COLOR_MODE(TintHsv, blend_tint_hsv)
+PATINA_COLOR_MODE(SaturationHsv, blend_saturation_hsv)
+PATINA_COLOR_MODE(ColorHsv, blend_color_hsv)
+PATINA_COLOR_MODE(ValueHsv, blend_value_hsv)
+#undef PATINA_COLOR_MODE
 
 #define PATINA_RELIEF_MODE(NAME, FORMULA)                                         \
     struct NAME {                                                                 \
@@ -118,6 +208,7 @@ PATINA_SEPARABLE_MODE(HeightMax, height_max)
 PATINA_RELIEF_MODE(NormalRnm, normal_blend_rnm)
 PATINA_RELIEF_MODE(NormalUdn, normal_blend_udn)
 PATINA_RELIEF_MODE(NormalWhiteout, normal_blend_whiteout)
+PATINA_RELIEF_MODE(NormalPartial, normal_blend_partial_derivative)
 #undef PATINA_RELIEF_MODE
 
 /// Normal mode on directions: from the backdrop to the source, kept unit.
@@ -141,34 +232,88 @@ void blend_by_mode(const BlendTask& task) {
         case BlendMode::Normal:
             return task.channel == Channel::Normal ? blend_normals<NormalLerp>(task)
                                                    : blend_separable<NormalMode>(task);
+        case BlendMode::Replace:
+            return blend_replacing(task);
         case BlendMode::Darken:
             return blend_separable<Darken>(task);
         case BlendMode::Multiply:
             return blend_separable<Multiply>(task);
+        case BlendMode::ColorBurn:
+            return blend_separable<ColorBurn>(task);
+        case BlendMode::LinearBurn:
+            return blend_separable<LinearBurn>(task);
         case BlendMode::Lighten:
             return blend_separable<Lighten>(task);
         case BlendMode::Screen:
             return blend_separable<Screen>(task);
+        case BlendMode::ColorDodge:
+            return blend_separable<ColorDodge>(task);
         case BlendMode::Add:
             return blend_separable<Add>(task);
         case BlendMode::Overlay:
             return blend_separable<Overlay>(task);
         case BlendMode::SoftLightW3c:
             return blend_separable<SoftLightW3c>(task);
+        case BlendMode::SoftLightPegtop:
+            return blend_separable<SoftLightPegtop>(task);
+        case BlendMode::HardLight:
+            return blend_separable<HardLight>(task);
+        case BlendMode::VividLight:
+            return blend_separable<VividLight>(task);
+        case BlendMode::LinearLight:
+            return blend_separable<LinearLight>(task);
+        case BlendMode::PinLight:
+            return blend_separable<PinLight>(task);
+        case BlendMode::HardMix:
+            return blend_separable<HardMix>(task);
         case BlendMode::Difference:
             return blend_separable<Difference>(task);
+        case BlendMode::Exclusion:
+            return blend_separable<Exclusion>(task);
         case BlendMode::Subtract:
             return blend_separable<Subtract>(task);
+        case BlendMode::InverseSubtract:
+            return blend_separable<InverseSubtract>(task);
+        case BlendMode::Divide:
+            return blend_separable<Divide>(task);
+        case BlendMode::InverseDivide:
+            return blend_separable<InverseDivide>(task);
+        case BlendMode::SignedAdd:
+            return blend_separable<SignedAdd>(task);
+        case BlendMode::Average:
+            return blend_separable<Average>(task);
+        case BlendMode::HueW3c:
+            return blend_colors<HueW3c>(task);
+        case BlendMode::SaturationW3c:
+            return blend_colors<SaturationW3c>(task);
+        case BlendMode::ColorW3c:
+            return blend_colors<ColorW3c>(task);
+        case BlendMode::LuminosityW3c:
+            return blend_colors<LuminosityW3c>(task);
+        case BlendMode::TintHsv:
+            return blend_colors<TintHsv>(task);
+        case BlendMode::SaturationHsv:
+            return blend_colors<SaturationHsv>(task);
+        case BlendMode::ColorHsv:
+            return blend_colors<ColorHsv>(task);
+        case BlendMode::ValueHsv:
+            return blend_colors<ValueHsv>(task);
         case BlendMode::NormalRnm:
             return blend_normals<NormalRnm>(task);
         case BlendMode::NormalUdn:
             return blend_normals<NormalUdn>(task);
         case BlendMode::NormalWhiteout:
             return blend_normals<NormalWhiteout>(task);
+        case BlendMode::NormalPartial:
+            return blend_normals<NormalPartial>(task);
         case BlendMode::HeightAdd:
             return blend_separable<HeightAdd>(task);
         case BlendMode::HeightMax:
             return blend_separable<HeightMax>(task);
+        case BlendMode::HeightMin:
+            return blend_separable<HeightMin>(task);
+        case BlendMode::HeightSubtract:
+            return blend_separable<HeightSubtract>(task);
     }
 }
 

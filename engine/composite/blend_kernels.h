@@ -18,6 +18,8 @@ struct BlendTask {
     float* target_coverage = nullptr;  ///< null where the accumulator is opaque
     ReadPlane source[3] = {};
     ReadPlane weight = {};  ///< mask and coverage of the source; scaled by `amount`
+    /// Replace alone: the coverage of the source, which is then no part of the weight.
+    ReadPlane source_coverage = {};
     float amount = 1.0f;
 };
 void blend_tile(const BlendTask& task);

@@ -45,8 +45,9 @@ Reading reading_of(Channel channel, bool encoded) {
         case ChannelKind::Normal:
             return Reading::Normal;
         case ChannelKind::Scalar:
-        case ChannelKind::Height:
             return Reading::Scalar;
+        case ChannelKind::Height:
+            return Reading::Height;
     }
     return Reading::Scalar;
 }

@@ -163,6 +163,7 @@ HWY_INLINE Real adjusted(const Adjustment& adjustment, Real value, int k) {
 HWY_NOINLINE HWY_FLATTEN void adjust_one(const Adjustment& adjustment, float* plane, int count) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count()) {
         Real value = adjusted(adjustment, load(plane + i), 0);
+        if (adjustment.hold) value = clamp(value, 0.0f, 1.0f);
         if (adjustment.encode) value = formulae::srgb_from_linear(value);
         store(value, plane + i);
     }
@@ -176,9 +177,12 @@ HWY_NOINLINE HWY_FLATTEN void adjust_three(const Adjustment& adjustment, float* 
                     adjusted(adjustment, load(planes[2] + i), 2));
         if (adjustment.normalise) value = formulae::unit_normal(value);
         if (adjustment.luminance) {
-            store(formulae::luminance(value), planes[0] + i);
+            Real grey = formulae::luminance(value);
+            if (adjustment.hold) grey = clamp(grey, 0.0f, 1.0f);
+            store(grey, planes[0] + i);
             continue;
         }
+        if (adjustment.hold) value = clamp(value, 0.0f, 1.0f);
         if (adjustment.encode) value = formulae::srgb_from_linear(value);
         store(value.x, planes[0] + i);
         store(value.y, planes[1] + i);

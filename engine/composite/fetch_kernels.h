@@ -38,11 +38,12 @@ struct Adjustment {
     bool scale = false;   ///< x multiply + add
     bool normalise = false;
     bool luminance = false;  ///< three components become one, in planes[0]
-    bool encode = false;     ///< linear to sRGB, last
+    bool hold = false;       ///< to 0..1, and then
+    bool encode = false;     ///< linear to sRGB
     glm::vec3 multiply = glm::vec3(1.0f);
     glm::vec3 add = glm::vec3(0.0f);
     bool is_identity() const {
-        return !(invert || decode || unpack || scale || normalise || luminance || encode);
+        return !(invert || decode || unpack || scale || normalise || luminance || hold || encode);
     }
 };
 /// In place, on `components` (1 or 3) planes.

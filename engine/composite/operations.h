@@ -82,8 +82,14 @@ struct Operation {
     std::int32_t layer = 0;   ///< index into ProgramData::layers
 };
 
-/// What a source is read as.
-enum class Reading : std::uint8_t { LinearColor, EncodedColor, Scalar, Normal };
+/// What a source is read as. Colours and scalars are held to 0..1, whatever an image has beyond;
+/// heights are not.
+enum class Reading : std::uint8_t { LinearColor, EncodedColor, Scalar, Height, Normal };
+
+/// Whether it is three numbers.
+constexpr bool is_vector(Reading reading) {
+    return reading != Reading::Scalar && reading != Reading::Height;
+}
 
 /// A source with everything resolved that does not depend on the resolution.
 struct SourceRecord {

@@ -63,7 +63,7 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, float* co
                         .footprint = cells * texel_width(record, size),
                         .contrast = source.contrast,
                         .balance = source.balance,
-                        .scalar = record.reading == Reading::Scalar,
+                        .scalar = !is_vector(record.reading),
                         .encode = record.reading == Reading::EncodedColor,
                         .normalise = record.reading == Reading::Normal};
     set_ramp(source.ramp, task);

@@ -184,10 +184,14 @@ FetchedSource Runner::child_source(const Operation& operation) {
     return source;
 }
 
-/// The mask times the source's own coverage.
+/// The mask times the source's own coverage, but for a source that replaces.
 ReadPlane Runner::weight_of(const Operation& operation, const FetchedSource& source) {
-    if ((operation.flags & kUsesMask) == 0) return source.coverage;
-    const ReadPlane mask{.data = planes_.mask(operation.depth)};
+    const bool masked = (operation.flags & kUsesMask) != 0;
+    const ReadPlane mask =
+        masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one();
+    const bool first = (operation.flags & kFirst) != 0;
+    if (operation.mode == BlendMode::Replace && !first) return mask;
+    if (!masked) return source.coverage;
     if (source.coverage.step == 0) return mask;
     multiply_tile(mask, source.coverage, planes_.weight(), span_.count);
     return {.data = planes_.weight()};
@@ -199,6 +203,7 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
                    .first = (operation.flags & kFirst) != 0,
                    .count = span_.count,
                    .weight = weight_of(operation, source),
+                   .source_coverage = source.coverage,
                    .amount = operation.amount};
     for (int k = 0; k < component_count(operation.channel); ++k) {
         task.target[k] = planes_.channel(operation.depth, operation.channel, k);

@@ -11,13 +11,10 @@
 namespace patina {
 namespace {
 
-bool is_vector(Reading reading) {
-    return reading != Reading::Scalar;
-}
-
 /// What is done to the numbers of an image once they lie in planes. `filtered`: invert and decode
 /// were done to each tap.
-Adjustment adjustment_of(const SourceRecord& record, const Components& components, bool filtered) {
+Adjustment adjustment_of(const SourceRecord& record, const Image& image,
+                         const Components& components, bool filtered) {
     const auto& source = std::get<ImageSource>(record.source);
     const bool normal = record.reading == Reading::Normal;
     const bool encoded =
@@ -32,6 +29,8 @@ Adjustment adjustment_of(const SourceRecord& record, const Components& component
                           .multiply = source.multiply,
                           .add = source.add};
     adjustment.scale = source.multiply != glm::vec3(1.0f) || source.add != glm::vec3(0.0f);
+    const bool within = image.type != SampleType::F32 && !adjustment.scale;
+    adjustment.hold = !within && !normal && record.reading != Reading::Height;
     // What is stored sRGB-encoded and blends so needs no way there and back.
     if (adjustment.decode && adjustment.encode && !adjustment.scale)
         adjustment.decode = adjustment.encode = false;
@@ -91,7 +90,7 @@ FetchedSource fetch_image(const SourceRecord& record, const BoundImage& bound, c
     const Components components = picked_components(source.pick, bound.image->channels);
     read_components(record, bound, components, span, target);
     const bool filtered = !bound.texel_for_texel || components.index[0] < 0;
-    const Adjustment adjustment = adjustment_of(record, components, filtered);
+    const Adjustment adjustment = adjustment_of(record, *bound.image, components, filtered);
     int count = components.count;
     if (count == 1 && is_vector(record.reading)) {
         for (int k = 1; k < 3; ++k) copy_tile(target[0], target[k], span.count);

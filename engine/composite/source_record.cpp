@@ -48,6 +48,7 @@ glm::vec3 constant_value(const glm::vec3& value, Reading reading) {
         }
         case Reading::LinearColor:
         case Reading::Scalar:
+        case Reading::Height:
             return value;
     }
     return value;

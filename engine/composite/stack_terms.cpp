@@ -14,11 +14,17 @@ bool is_opaque(const Source& source) {
     return image == nullptr || !image->alpha_is_coverage;
 }
 
+/// Whether the layers of a group cover the channel in every texel: some layer does, and none above
+/// it clears a part again.
 bool covers(const StackTerms& terms, Channel channel) {
-    return std::any_of(terms.begin(), terms.end(), [&](const LayerTerms& layer) {
+    bool covered = false;
+    for (const LayerTerms& layer : terms) {
         const auto& contribution = at(layer.channels, channel);
-        return contribution && contribution->covers;
-    });
+        if (!contribution) continue;
+        if (contribution->covers || contribution->mode == BlendMode::Replace)
+            covered = contribution->covers;
+    }
+    return covered;
 }
 
 /// Folds what is uniform from the bottom of the mask up. Returns its value where all of it is.
@@ -85,8 +91,10 @@ void find_covering(StackTerms& terms, Channel channel) {
         if (!contribution) continue;
         const bool opaque = contribution->source != nullptr ? is_opaque(*contribution->source)
                                                             : covers(layer.children, channel);
-        contribution->covers = contribution->mode == BlendMode::Normal &&
-                               contribution->weight >= 1.0f && !layer.mask.varies() && opaque;
+        const bool plain =
+            contribution->mode == BlendMode::Normal || contribution->mode == BlendMode::Replace;
+        contribution->covers =
+            plain && contribution->weight >= 1.0f && !layer.mask.varies() && opaque;
     }
 }
 

@@ -8,8 +8,7 @@
 namespace patina::io {
 namespace {
 
-using gltf::Accessor;
-using gltf::ComponentType;
+using tinygltf::Accessor;
 using ByteSpan = std::span<const std::byte>;
 
 template <typename T>
@@ -56,71 +55,70 @@ std::uint32_t component_as_unsigned(const std::byte* at, ComponentType type) {
     }
 }
 
-bool is_unsigned(ComponentType type) {
-    return type == ComponentType::U8 || type == ComponentType::U16 || type == ComponentType::U32;
-}
-
 /// The bytes of a view, from `offset` on.
-Result<ByteSpan> view_bytes(const GltfData& data, int index, std::uint64_t offset) {
-    const auto& view = data.model.views[static_cast<std::size_t>(index)];
+Result<ByteSpan> view_bytes(const GltfData& data, int index, std::size_t offset) {
+    const auto& view = data.model.bufferViews[static_cast<std::size_t>(index)];
     const ByteSpan buffer = data.buffers[static_cast<std::size_t>(view.buffer)];
-    if (buffer.size() < view.offset + view.length)
+    if (buffer.size() < view.byteOffset + view.byteLength)
         return failure("/buffers/{}: has no data", view.buffer);
-    return buffer.subspan(view.offset, view.length).subspan(offset);
+    return buffer.subspan(view.byteOffset, view.byteLength).subspan(offset);
 }
 
 /// Calls `store(index of the component, its address)` for each of `count` elements.
 template <typename Store>
-void for_each_component(const Accessor& accessor, ByteSpan bytes, std::size_t stride,
+void for_each_component(const ElementLayout& layout, ByteSpan bytes, std::size_t stride,
                         std::size_t element, Store&& store) {
-    const auto rows = static_cast<std::size_t>(accessor.rows);
-    const std::size_t component = gltf::component_bytes(accessor.type);
-    std::size_t out = element * static_cast<std::size_t>(accessor.components());
+    const auto rows = static_cast<std::size_t>(layout.rows);
+    const std::size_t component = component_bytes(layout.type);
+    std::size_t out = element * static_cast<std::size_t>(layout.components());
     const std::byte* at = bytes.data() + stride;
-    for (std::size_t column = 0; column < static_cast<std::size_t>(accessor.columns); ++column)
+    for (std::size_t column = 0; column < static_cast<std::size_t>(layout.columns); ++column)
         for (std::size_t row = 0; row < rows; ++row)
-            store(out++, at + column * accessor.column_bytes() + row * component);
+            store(out++, at + column * layout.column_bytes() + row * component);
 }
 
 /// Visits all components of the dense part, then those that the sparse part replaces.
 template <typename Store>
 Status visit_components(const GltfData& data, int index, Store&& store) {
     const Accessor& accessor = data.model.accessors[static_cast<std::size_t>(index)];
-    const std::size_t element_bytes = accessor.element_bytes();
-    if (accessor.view >= 0) {
-        const auto bytes = view_bytes(data, accessor.view, accessor.offset);
+    const ElementLayout layout = layout_of(accessor);
+    const std::size_t element_bytes = layout.element_bytes();
+    if (accessor.bufferView >= 0) {
+        const auto bytes = view_bytes(data, accessor.bufferView, accessor.byteOffset);
         if (!bytes) return passed_on(bytes);
-        const int view_stride = data.model.views[static_cast<std::size_t>(accessor.view)].stride;
-        const std::size_t stride =
-            view_stride != 0 ? static_cast<std::size_t>(view_stride) : element_bytes;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(accessor.count); ++i)
-            for_each_component(accessor, *bytes, i * stride, i, store);
+        const std::size_t view_stride =
+            data.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
+        const std::size_t stride = view_stride != 0 ? view_stride : element_bytes;
+        for (std::size_t i = 0; i < accessor.count; ++i)
+            for_each_component(layout, *bytes, i * stride, i, store);
     }
-    if (!accessor.sparse) return {};
-    const gltf::Sparse& sparse = *accessor.sparse;
-    const auto indices = view_bytes(data, sparse.index_view, sparse.index_offset);
+    if (!accessor.sparse.isSparse) return {};
+    const auto& sparse = accessor.sparse;
+    const auto indices = view_bytes(data, sparse.indices.bufferView, sparse.indices.byteOffset);
     if (!indices) return passed_on(indices);
-    const auto values = view_bytes(data, sparse.value_view, sparse.value_offset);
+    const auto values = view_bytes(data, sparse.values.bufferView, sparse.values.byteOffset);
     if (!values) return passed_on(values);
-    const std::size_t index_bytes = gltf::component_bytes(sparse.index_type);
+    const ComponentType index_type =
+        component_type(sparse.indices.componentType).value_or(ComponentType::U32);
+    const std::size_t index_bytes = component_bytes(index_type);
+    const auto count = static_cast<std::int64_t>(accessor.count);
     std::int64_t previous = -1;
     for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
         const std::int64_t element =
-            component_as_unsigned(indices->data() + i * index_bytes, sparse.index_type);
-        if (element <= previous || element >= accessor.count)
+            component_as_unsigned(indices->data() + i * index_bytes, index_type);
+        if (element <= previous || element >= count)
             return failure(
                 "/accessors/{}/sparse/indices: index {} is {}, must ascend and be below {}", index,
-                i, element, accessor.count);
+                i, element, count);
         previous = element;
-        for_each_component(accessor, *values, i * element_bytes, static_cast<std::size_t>(element),
+        for_each_component(layout, *values, i * element_bytes, static_cast<std::size_t>(element),
                            store);
     }
     return {};
 }
 
 std::size_t number_count(const Accessor& accessor) {
-    return static_cast<std::size_t>(accessor.count) *
-           static_cast<std::size_t>(accessor.components());
+    return accessor.count * static_cast<std::size_t>(layout_of(accessor).components());
 }
 
 }  // namespace
@@ -129,10 +127,10 @@ Result<std::vector<float>> read_floats(const GltfData& data, int accessor_index,
                                        std::size_t& not_finite) {
     const Accessor& accessor = data.model.accessors[static_cast<std::size_t>(accessor_index)];
     std::vector<float> numbers(number_count(accessor));
+    const ComponentType type = layout_of(accessor).type;
     const auto status =
         visit_components(data, accessor_index, [&](std::size_t i, const std::byte* at) {
-            const float value = component_as_float(at, accessor.type, accessor.normalized);
-            numbers[i] = value;
+            numbers[i] = component_as_float(at, type, accessor.normalized);
         });
     if (!status) return passed_on(status);
     for (float& number : numbers) {
@@ -145,13 +143,13 @@ Result<std::vector<float>> read_floats(const GltfData& data, int accessor_index,
 
 Result<std::vector<std::uint32_t>> read_unsigned(const GltfData& data, int accessor_index) {
     const Accessor& accessor = data.model.accessors[static_cast<std::size_t>(accessor_index)];
-    if (!is_unsigned(accessor.type))
+    const ComponentType type = layout_of(accessor).type;
+    if (!is_unsigned(type))
         return failure("/accessors/{}: must hold unsigned integers", accessor_index);
     std::vector<std::uint32_t> numbers(number_count(accessor));
-    const auto status =
-        visit_components(data, accessor_index, [&](std::size_t i, const std::byte* at) {
-            numbers[i] = component_as_unsigned(at, accessor.type);
-        });
+    const auto status = visit_components(
+        data, accessor_index,
+        [&](std::size_t i, const std::byte* at) { numbers[i] = component_as_unsigned(at, type); });
     if (!status) return passed_on(status);
     return numbers;
 }

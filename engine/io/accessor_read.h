@@ -15,7 +15,7 @@ namespace patina::io {
 /// A checked model and the bytes of its buffers, each at least as long as its byteLength says, or
 /// empty where the file names no data for it.
 struct GltfData {
-    const gltf::Model& model;
+    const tinygltf::Model& model;
     std::vector<std::span<const std::byte>> buffers;
 };
 

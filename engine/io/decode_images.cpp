@@ -5,36 +5,42 @@
 #include "core/parallel.h"
 #include "io/document_read.h"
 #include "io/image_decode.h"
+#include "io/uri.h"
 
 namespace patina::io {
 namespace {
 
-using gltf::Model;
+using tinygltf::Model;
 
 bool has_record(const Model& model) {
     return std::any_of(model.materials.begin(), model.materials.end(),
-                       [](const gltf::Material& material) { return material.record.has_value(); });
+                       [](const tinygltf::Material& material) {
+                           return record_text(material.extras).has_value();
+                       });
 }
 
 /// By index: whether the image must be decoded.
 std::vector<bool> images_to_decode(const Model& model) {
     if (has_record(model)) return std::vector<bool>(model.images.size(), true);
     std::vector<bool> wanted(model.images.size(), false);
-    for (const gltf::Material& material : model.materials) {
-        for (const gltf::TextureUse* use :
-             {&material.base_color, &material.metallic_roughness, &material.normal,
-              &material.occlusion, &material.emissive}) {
-            if (use->texture < 0) continue;
-            const int image = model.textures[static_cast<std::size_t>(use->texture)].image;
-            if (image >= 0) wanted[static_cast<std::size_t>(image)] = true;
-        }
+    for (const tinygltf::Material& material : model.materials) {
+        const auto want = [&](const TextureUse& use) {
+            if (const int image = image_index(model, use); image >= 0)
+                wanted[static_cast<std::size_t>(image)] = true;
+        };
+        const MaterialValues values = material_values(material);
+        for (const TextureUse* use : values.slots()) want(*use);
+        const auto& glossiness =
+            extension_of(material.extensions, "KHR_materials_pbrSpecularGlossiness");
+        want(texture_use(glossiness, "diffuseTexture"));
+        want(texture_use(glossiness, "specularGlossinessTexture"));
     }
     return wanted;
 }
 
-std::string image_name(const gltf::Image& image, std::size_t index) {
+std::string image_name(const tinygltf::Image& image, std::size_t index) {
     if (!image.name.empty()) return image.name;
-    if (image.uri && image.uri->substr(0, 5) != "data:") return *image.uri;
+    if (!image.uri.empty() && !is_data_uri(image.uri)) return image.uri;
     return fmt::format("Image {}", index + 1);
 }
 

@@ -11,10 +11,8 @@
 namespace patina::io {
 namespace {
 
-using gltf::TextureUse;
-
 /// The slots of a glTF material that may show a baked map, by the map's id in records.
-std::vector<const TextureUse*> slots_of_map(const gltf::Material& material, std::string_view map) {
+std::vector<const TextureUse*> slots_of_map(const MaterialValues& material, std::string_view map) {
     if (map == "base-color") return {&material.base_color};
     if (map == "occlusion-roughness-metalness")
         return {&material.metallic_roughness, &material.occlusion};
@@ -64,7 +62,8 @@ class DocumentReader {
         records_.resize(count);
         stands_for_.assign(count, std::nullopt);
         for (std::size_t i = 0; i < count; ++i)
-            if (const auto& text = parts_.model.materials[i].record) read_record(i, *text);
+            if (const auto text = record_text(parts_.model.materials[i].extras))
+                read_record(i, *text);
         std::map<MaterialId, std::size_t> material_of_id;
         for (std::size_t i = 0; i < count; ++i)
             if (records_[i] && records_[i]->stands_for.value == 0)
@@ -114,7 +113,7 @@ class DocumentReader {
     }
 
     bool is_edited_elsewhere(std::size_t index, const MaterialRecord& record) const {
-        const gltf::Material& material = parts_.model.materials[index];
+        const MaterialValues material = material_values(parts_.model.materials[index]);
         for (const auto& [map, hash] : record.baked) {
             const auto slots = slots_of_map(material, map);
             const auto shows = [&, &baked = hash](const TextureUse* use) {
@@ -130,8 +129,7 @@ class DocumentReader {
     }
 
     bool shows_image(const TextureUse& use, const Hash128& hash) const {
-        if (use.texture < 0) return false;
-        const int image = parts_.model.textures[static_cast<std::size_t>(use.texture)].image;
+        const int image = image_index(parts_.model, use);
         return image >= 0 && parts_.images[static_cast<std::size_t>(image)]->hash == hash;
     }
 
@@ -187,15 +185,16 @@ class DocumentReader {
 
     void read_scene_settings() {
         document_.lights = scene_.lights;
-        if (parts_.model.scene < 0) return;
-        const auto& text = parts_.model.scenes[static_cast<std::size_t>(parts_.model.scene)].record;
+        const int shown = parts_.model.defaultScene;
+        if (shown < 0) return;
+        const auto text = record_text(parts_.model.scenes[static_cast<std::size_t>(shown)].extras);
         if (!text) return;
         const auto version = record_version(*text);
         const auto record = scene_record_from_json(*text);
         if (!record || !version || *version > kRecordVersion) {
             parts_.warnings.push_back(fmt::format(
                 "/scenes/{}: its environment and lights cannot be read and are kept in the file",
-                parts_.model.scene));
+                shown));
             return;
         }
         document_.environment = record->environment;

@@ -13,13 +13,13 @@ namespace patina::io {
 /// Decodes the images that materials show, side by side (all of them where a record may name them),
 /// each once. One that is missing or damaged is a placeholder and a warning; one that is too large,
 /// or all together, a failure. Images that nothing shows are null.
-Result<FileImages> decode_images(const gltf::Model& model, const GltfFiles& files,
+Result<FileImages> decode_images(const tinygltf::Model& model, const GltfFiles& files,
                                  ImageStore& store, const ImageLimits& limits,
                                  const Progress& progress, std::vector<std::string>& warnings);
 
 /// What documents are made of, apart from their scene.
 struct DocumentParts {
-    const gltf::Model& model;
+    const tinygltf::Model& model;
     const SourceAsset& asset;
     const FileImages& images;
     ImageStore& store;

@@ -12,10 +12,12 @@ using SharedBytes = std::shared_ptr<const Bytes>;
 
 class Gatherer {
   public:
-    Gatherer(SourceAsset& asset, const gltf::Model& model, std::uint64_t limit_bytes,
+    Gatherer(SourceAsset& asset, const tinygltf::Model& model,
+             const std::vector<std::uint64_t>& buffer_bytes, std::uint64_t limit_bytes,
              std::vector<std::string>& warnings)
         : asset_(asset),
           model_(model),
+          buffer_bytes_(buffer_bytes),
           left_bytes_(limit_bytes),
           limit_bytes_(limit_bytes),
           warnings_(warnings) {}
@@ -67,26 +69,26 @@ class Gatherer {
     }
 
     Status add_buffer(std::size_t index) {
-        const gltf::Buffer& buffer = model_.buffers[index];
-        if (!buffer.uri) {
+        const std::string& uri = model_.buffers[index].uri;
+        if (uri.empty()) {
             // Only the first buffer may be the binary chunk; others can be fallbacks of extensions.
             const bool is_chunk = index == 0 && !asset_.binary_chunk.empty();
             files_.buffers.emplace_back();
             if (!is_chunk) return {};
             return set_buffer(index, asset_.binary_chunk);
         }
-        const auto bytes = fetch(*buffer.uri);
+        const auto bytes = fetch(uri);
         if (!bytes) return passed_on(bytes);
         if (!*bytes)
             return failure("the file \"{}\" is missing; put it beside the model",
-                           quoted_for_message(*buffer.uri, 100));
+                           quoted_for_message(uri, 100));
         files_.owned.push_back(*bytes);
         files_.buffers.emplace_back();
         return set_buffer(index, **bytes);
     }
 
     Status set_buffer(std::size_t index, std::span<const std::byte> bytes) {
-        const std::uint64_t length = model_.buffers[index].length;
+        const std::uint64_t length = buffer_bytes_[index];
         if (bytes.size() < length)
             return failure("has {} bytes, byteLength says {}", bytes.size(), length);
         files_.buffers[index] = bytes.first(length);
@@ -94,14 +96,14 @@ class Gatherer {
     }
 
     Status add_image(std::size_t index) {
-        const gltf::Image& image = model_.images[index];
+        const tinygltf::Image& image = model_.images[index];
         files_.images.emplace_back();
-        if (!image.uri) return add_embedded_image(image.view);
-        auto bytes = fetch(*image.uri);
+        if (image.uri.empty()) return add_embedded_image(image.bufferView);
+        auto bytes = fetch(image.uri);
         if (!bytes) return passed_on(bytes);
         if (!*bytes)
             warnings_.push_back(fmt::format("/images/{}: the file \"{}\" is missing", index,
-                                            quoted_for_message(*image.uri, 100)));
+                                            quoted_for_message(image.uri, 100)));
         files_.images.back() = std::move(*bytes);
         return {};
     }
@@ -110,11 +112,12 @@ class Gatherer {
         if (view_index < 0) return {};
         SharedBytes& shared = image_of_view_[view_index];
         if (!shared) {
-            const gltf::BufferView& view = model_.views[static_cast<std::size_t>(view_index)];
+            const tinygltf::BufferView& view =
+                model_.bufferViews[static_cast<std::size_t>(view_index)];
             const auto buffer = files_.buffers[static_cast<std::size_t>(view.buffer)];
             if (buffer.empty()) return {};
-            if (const auto fits = take(view.length); !fits) return fits;
-            const auto bytes = buffer.subspan(view.offset, view.length);
+            if (const auto fits = take(view.byteLength); !fits) return fits;
+            const auto bytes = buffer.subspan(view.byteOffset, view.byteLength);
             shared = std::make_shared<const Bytes>(bytes.begin(), bytes.end());
         }
         files_.images.back() = shared;
@@ -122,7 +125,8 @@ class Gatherer {
     }
 
     SourceAsset& asset_;
-    const gltf::Model& model_;
+    const tinygltf::Model& model_;
+    const std::vector<std::uint64_t>& buffer_bytes_;
     std::uint64_t left_bytes_;
     std::uint64_t limit_bytes_;
     std::vector<std::string>& warnings_;
@@ -132,9 +136,10 @@ class Gatherer {
 
 }  // namespace
 
-Result<GltfFiles> gather_files(SourceAsset& asset, const gltf::Model& model,
+Result<GltfFiles> gather_files(SourceAsset& asset, const tinygltf::Model& model,
+                               const std::vector<std::uint64_t>& buffer_bytes,
                                std::uint64_t limit_bytes, std::vector<std::string>& warnings) {
-    return Gatherer(asset, model, limit_bytes, warnings).gather();
+    return Gatherer(asset, model, buffer_bytes, limit_bytes, warnings).gather();
 }
 
 }  // namespace patina::io

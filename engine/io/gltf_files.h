@@ -24,7 +24,9 @@ struct GltfFiles {
 /// and gathers all bytes, at most `limit_bytes` of them. A buffer that is missing or too short is a
 /// failure, an image that is missing a warning; what leads out of the folder is a failure for both.
 /// `asset` must stay where it is as long as the result is used.
-Result<GltfFiles> gather_files(SourceAsset& asset, const gltf::Model& model,
+/// @param buffer_bytes  byteLength by buffer: what CheckedGltf has
+Result<GltfFiles> gather_files(SourceAsset& asset, const tinygltf::Model& model,
+                               const std::vector<std::uint64_t>& buffer_bytes,
                                std::uint64_t limit_bytes, std::vector<std::string>& warnings);
 
 }  // namespace patina::io

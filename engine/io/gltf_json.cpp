@@ -45,6 +45,18 @@ void GltfJson::use_extension(std::string_view name) {
     if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(std::string(name));
 }
 
+void GltfJson::leave_out_unused_extension(std::string_view name) {
+    bool used = false;
+    for_each_member(array("materials"),
+                    [&](const std::string& key, const Json&) { used = used || key == name; });
+    if (used) return;
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        Json& names = array(list);
+        for (auto it = names.begin(); it != names.end();)
+            it = *it == name ? names.erase(it) : std::next(it);
+    }
+}
+
 Result<std::string> GltfJson::text() const {
     std::vector<JsonChange> changes;
     for (const auto& [name, value] : arrays_) {

@@ -26,6 +26,9 @@ class GltfJson {
     std::vector<int> numbers_outside(std::string_view array, std::string_view key) const;
     /// Names an extension in extensionsUsed.
     void use_extension(std::string_view name);
+    /// Takes an extension of materials out of extensionsUsed and extensionsRequired, unless one
+    /// that stands in "materials" still has it.
+    void leave_out_unused_extension(std::string_view name);
 
     /// The text with all that was changed, and every other byte as it was. An array that has become
     /// empty is left out, as glTF wants.

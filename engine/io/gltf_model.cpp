@@ -1,48 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf_model.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
-#include "io/gltf_read.h"
+namespace patina::io {
 
-namespace patina::io::gltf {
+std::optional<std::string> record_text(const tinygltf::Value& extras) {
+    if (!extras.Has("patina") || !extras.Get("patina").IsString()) return std::nullopt;
+    return extras.Get("patina").Get<std::string>();
+}
 
-std::size_t component_bytes(ComponentType type) {
-    switch (type) {
-        case ComponentType::I8:
-        case ComponentType::U8:
-            return 1;
-        case ComponentType::I16:
-        case ComponentType::U16:
-            return 2;
-        case ComponentType::U32:
-        case ComponentType::F32:
-            return 4;
+ElementLayout layout_of(const tinygltf::Accessor& accessor) {
+    const ComponentType type = component_type(accessor.componentType).value_or(ComponentType::F32);
+    switch (accessor.type) {
+        case TINYGLTF_TYPE_MAT2:
+            return {.type = type, .rows = 2, .columns = 2};
+        case TINYGLTF_TYPE_MAT3:
+            return {.type = type, .rows = 3, .columns = 3};
+        case TINYGLTF_TYPE_MAT4:
+            return {.type = type, .rows = 4, .columns = 4};
+        default:
+            return {
+                .type = type,
+                .rows = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)),
+                .columns = 1};
     }
-    return 4;
 }
 
-std::size_t Accessor::column_bytes() const {
-    const std::size_t bytes = component_bytes(type) * static_cast<std::size_t>(rows);
-    return columns == 1 ? bytes : (bytes + 3) / 4 * 4;
+const tinygltf::Value& extension_of(const tinygltf::ExtensionMap& extensions, const char* name) {
+    static const tinygltf::Value none{tinygltf::Value::Object()};
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? none : found->second;
 }
 
-Result<Model> read_gltf_model(const nlohmann::json& json, const ModelLimits& limits) {
-    FirstFault fault;
-    const JsonPlace root(json, "", fault);
-    Model model;
-    check_versions(root, model);
-    read_buffers(root, model);
-    read_accessors(root, model);
-    read_textures(root, model);
-    read_materials(root, model);
-    read_meshes(root, model);
-    read_skins(root, model);
-    read_cameras_and_lights(root, model);
-    read_nodes(root, model, limits);
-    check_animations(root);
-    if (const auto status = fault.status(); !status) return passed_on(status);
-    return model;
+double number_in(const tinygltf::Value& object, const char* key, double fallback) {
+    return object.Has(key) ? object.Get(key).GetNumberAsDouble() : fallback;
 }
 
-}  // namespace patina::io::gltf
+int index_in(const tinygltf::Value& object, const char* key) {
+    return object.Has(key) ? object.Get(key).GetNumberAsInt() : -1;
+}
+
+void numbers_in(const tinygltf::Value& object, const char* key, std::span<float> numbers) {
+    if (!object.Has(key)) return;
+    const tinygltf::Value& array = object.Get(key);
+    for (std::size_t i = 0; i < std::min(numbers.size(), array.ArrayLen()); ++i)
+        numbers[i] = static_cast<float>(array.Get(static_cast<int>(i)).GetNumberAsDouble());
+}
+
+}  // namespace patina::io

@@ -6,8 +6,10 @@
 
 #include "io/document_read.h"
 #include "io/glb.h"
+#include "io/gltf_check.h"
 #include "io/json_check.h"
 #include "io/scene_read.h"
+#include "io/specular_glossiness.h"
 
 namespace patina::io {
 namespace {
@@ -19,38 +21,53 @@ Error with_remedy(Error error) {
     return error;
 }
 
-Result<gltf::Model> read_model(const SourceAsset& asset, const LoadLimits& limits) {
-    const auto json = parse_json(asset.json_text, {.depth = limits.json_depth});
+struct ReadModel {
+    CheckedGltf checked;
+    tinygltf::Model model;
+};
+
+Result<ReadModel> read_model(const SourceAsset& asset, const LoadLimits& limits) {
+    auto json = parse_json(asset.json_text, {.depth = limits.json_depth});
     if (!json) return failure("JSON: {}", json.error().message);
-    return gltf::read_gltf_model(*json, {.nodes = limits.nodes, .node_depth = limits.node_depth});
+    auto checked = check_gltf(*json, {.nodes = limits.nodes, .node_depth = limits.node_depth});
+    if (!checked) return passed_on(checked);
+    auto model = parse_gltf(std::move(*json));
+    if (!model) return passed_on(model);
+    return ReadModel{std::move(*checked), std::move(*model)};
 }
 
 Result<LoadedDocument> load_parts(std::shared_ptr<SourceAsset> asset, const LoadLimits& limits,
                                   const Progress& progress) {
     if (const auto split = split_container(*asset); !split) return passed_on(split);
-    const auto model = read_model(*asset, limits);
-    if (!model) return passed_on(model);
+    auto read = read_model(*asset, limits);
+    if (!read) return passed_on(read);
+    tinygltf::Model& model = read->model;
     LoadedDocument loaded;
-    loaded.warnings = model->warnings;
-    const auto files = gather_files(*asset, *model, limits.file_bytes, loaded.warnings);
+    loaded.warnings = read->checked.warnings;
+    const auto files =
+        gather_files(*asset, model, read->checked.buffer_bytes, limits.file_bytes, loaded.warnings);
     if (!files) return passed_on(files);
 
     const ImageLimits image_limits{.max_decoded_bytes = limits.decoded_image_bytes};
     loaded.images = std::make_shared<ImageStore>(image_limits);
     progress.report(0.1f);
-    progress.set_stage(fmt::format("Decoding {} images", model->images.size()));
-    const auto images =
-        decode_images(*model, *files, *loaded.images, image_limits, progress, loaded.warnings);
+    progress.set_stage(fmt::format("Decoding {} images", model.images.size()));
+    auto images =
+        decode_images(model, *files, *loaded.images, image_limits, progress, loaded.warnings);
     if (!images) return passed_on(images);
+    if (const auto converted =
+            convert_specular_glossiness(model, *images, *loaded.images, loaded.warnings);
+        !converted)
+        return passed_on(converted);
     progress.report(0.6f);
     progress.set_stage("Building the scene");
     auto scene =
-        read_scene({*model, files->buffers}, limits.geometry_bytes, loaded.warnings, progress);
+        read_scene({model, files->buffers}, limits.geometry_bytes, loaded.warnings, progress);
     if (!scene) return passed_on(scene);
     progress.report(0.95f);
 
-    Document document = read_document({*model, *asset, *images, *loaded.images, loaded.warnings},
-                                      std::move(*scene));
+    Document document =
+        read_document({model, *asset, *images, *loaded.images, loaded.warnings}, std::move(*scene));
     document.source = std::move(asset);
     document.opened = std::make_shared<const Document>(document);
     std::vector<Hash128> used;

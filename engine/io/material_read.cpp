@@ -7,14 +7,17 @@
 namespace patina::io {
 namespace {
 
-using gltf::Model;
-using gltf::TextureUse;
+using tinygltf::Model;
 
 /// The asset that a use of a texture shows, or null.
 ImageAssetPtr image_of(const Model& model, const TextureUse& use, const FileImages& images) {
-    if (use.texture < 0) return nullptr;
-    const int image = model.textures[static_cast<std::size_t>(use.texture)].image;
+    const int image = image_index(model, use);
     return image < 0 ? nullptr : images[static_cast<std::size_t>(image)];
+}
+
+Wrap wrap_of(int mode) {
+    if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::Mirror;
+    return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE ? Wrap::Clamp : Wrap::Repeat;
 }
 
 struct Reading {
@@ -36,17 +39,17 @@ ImageSource image_source(const Model& model, const TextureUse& use, const ImageA
     source.transform = use.transform;
     const int sampler = model.textures[static_cast<std::size_t>(use.texture)].sampler;
     if (sampler < 0) return source;
-    const gltf::Sampler& settings = model.samplers[static_cast<std::size_t>(sampler)];
-    source.wrap_u = settings.wrap_u;
-    source.wrap_v = settings.wrap_v;
-    source.filter = settings.filter;
+    const tinygltf::Sampler& settings = model.samplers[static_cast<std::size_t>(sampler)];
+    source.wrap_u = wrap_of(settings.wrapS);
+    source.wrap_v = wrap_of(settings.wrapT);
+    if (settings.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) source.filter = Filter::Nearest;
     return source;
 }
 
 /// Builds the layer "Imported textures" of one material.
 class ImportedLayer {
   public:
-    ImportedLayer(const Model& model, const gltf::Material& source, const FileImages& images)
+    ImportedLayer(const Model& model, const MaterialValues& source, const FileImages& images)
         : model_(model), source_(source), images_(images) {
         layer_.name = "Imported textures";
     }
@@ -116,16 +119,15 @@ class ImportedLayer {
     }
 
     const Model& model_;
-    const gltf::Material& source_;
+    const MaterialValues& source_;
     const FileImages& images_;
     Layer layer_;
 };
 
 /// The side of the largest map, as a power of two.
-int resolution_of(const Model& model, const gltf::Material& source, const FileImages& images) {
+int resolution_of(const Model& model, const MaterialValues& source, const FileImages& images) {
     int largest = 0;
-    for (const TextureUse* use : {&source.base_color, &source.metallic_roughness, &source.normal,
-                                  &source.occlusion, &source.emissive})
+    for (const TextureUse* use : source.slots())
         if (const auto image = image_of(model, *use, images))
             largest = std::max({largest, image->width, image->height});
     if (largest == 0) return Material().resolution;
@@ -134,9 +136,8 @@ int resolution_of(const Model& model, const gltf::Material& source, const FileIm
 }
 
 /// The UV set of the base map, or of the first map there is.
-int uv_set_of(const gltf::Material& source) {
-    for (const TextureUse* use : {&source.base_color, &source.metallic_roughness, &source.normal,
-                                  &source.occlusion, &source.emissive})
+int uv_set_of(const MaterialValues& source) {
+    for (const TextureUse* use : source.slots())
         if (use->texture >= 0) return std::min(use->uv_set, 1);
     return 0;
 }
@@ -144,9 +145,10 @@ int uv_set_of(const gltf::Material& source) {
 }  // namespace
 
 Material imported_material(const Model& model, int index, const FileImages& images) {
-    const gltf::Material& source = model.materials[static_cast<std::size_t>(index)];
+    const tinygltf::Material& parsed = model.materials[static_cast<std::size_t>(index)];
+    const MaterialValues source = material_values(parsed);
     Material material;
-    material.name = source.name.empty() ? fmt::format("Material {}", index + 1) : source.name;
+    material.name = parsed.name.empty() ? fmt::format("Material {}", index + 1) : parsed.name;
     material.stack = {ImportedLayer(model, source, images).make()};
     material.resolution = resolution_of(model, source, images);
     material.uv_set = uv_set_of(source);
@@ -163,7 +165,7 @@ Material imported_material(const Model& model, int index, const FileImages& imag
 }
 
 Material default_material() {
-    gltf::Model model;
+    Model model;
     model.materials.emplace_back().name = "Default material";
     Material material = imported_material(model, 0, {});
     material.source_material.reset();

@@ -64,6 +64,7 @@ class MaterialWriter {
         record();
         Json& materials = save_.gltf.array("materials");
         materials[static_cast<std::size_t>(index_)] = json_;
+        save_.gltf.leave_out_unused_extension(kSpecularGlossiness);
         share_with_stand_in();
         return std::move(maps_);
     }
@@ -125,19 +126,22 @@ class MaterialWriter {
         // They share one map: showing the old one in one slot would keep both in the file.
         if (is_baked(Slot::MetallicRoughness) && is_baked(Slot::Occlusion))
             roughness = occlusion = roughness || occlusion;
-        drop_specular_glossiness();
+        replace_specular_glossiness();
     }
 
-    /// A file's other statement of the same slots would hide what is written here.
-    void drop_specular_glossiness() {
+    /// The stack shows this statement of the same slots converted, and viewers that know it would
+    /// show it in the place of what is written here: an edited material leaves it for good.
+    void replace_specular_glossiness() {
         const auto extensions = json_.find("extensions");
         if (extensions == json_.end() || !extensions->contains(kSpecularGlossiness)) return;
-        bool& color = changed_[as_index(Slot::BaseColor)];
-        bool& roughness = changed_[as_index(Slot::MetallicRoughness)];
-        if (!color && !roughness) return;
-        color = roughness = true;
+        changed_[as_index(Slot::BaseColor)] = true;
+        changed_[as_index(Slot::MetallicRoughness)] = true;
         extensions->erase(kSpecularGlossiness);
         if (extensions->empty()) json_.erase("extensions");
+        save_.warnings.push_back(
+            fmt::format("material \"{}\": {} was converted to metallic-roughness, which holds its "
+                        "edit",
+                        quoted_for_message(now_.name, 60), kSpecularGlossiness));
     }
 
     Status bake() {

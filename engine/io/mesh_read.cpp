@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <optional>
 
+#include "io/texture_use.h"
 #include "io/triangles.h"
 #include "scene/normals.h"
 #include "scene/tangents.h"
@@ -14,9 +16,8 @@
 namespace patina::io {
 namespace {
 
-using gltf::Attributes;
-using gltf::MeshPrimitive;
-using gltf::PrimitiveMode;
+using Attributes = std::map<std::string, int>;
+using MeshPrimitive = tinygltf::Primitive;
 
 // A vertex with all its attributes, and again for the copy that splitting corners can make.
 constexpr std::uint64_t kVertexBytes = 160;
@@ -39,7 +40,7 @@ class AttributeReader {
     /// whether the file says so or not, as the standard asks.
     template <int N>
     Result<std::vector<glm::vec<N, float>>> vectors(const Attributes& attributes,
-                                                    std::string_view semantic) {
+                                                    const std::string& semantic) {
         const auto found = attributes.find(semantic);
         if (found == attributes.end()) return std::vector<glm::vec<N, float>>();
         if (components(found->second) != N)
@@ -86,7 +87,7 @@ class AttributeReader {
 
   private:
     int components(int accessor) const {
-        return data_.model.accessors[static_cast<std::size_t>(accessor)].components();
+        return layout_of(data_.model.accessors[static_cast<std::size_t>(accessor)]).components();
     }
 
     const GltfData& data_;
@@ -205,7 +206,8 @@ Result<std::vector<std::uint32_t>> read_triangles(const GltfData& data, const Me
 int tangent_uv_set(const GltfData& data, const MeshPrimitive& source, const Primitive& primitive) {
     if (source.material < 0) return 0;
     const auto& material = data.model.materials[static_cast<std::size_t>(source.material)];
-    const int set = material.normal.texture >= 0 ? material.normal.uv_set : 0;
+    const TextureUse normal = texture_use(material.normalTexture);
+    const int set = normal.texture >= 0 ? normal.uv_set : 0;
     return set == 1 && !primitive.uvs[1].empty() ? 1 : 0;
 }
 
@@ -230,17 +232,16 @@ bool all_finite(const std::vector<glm::vec3>& vectors) {
 }
 
 std::uint64_t estimated_bytes(const GltfData& data, const MeshPrimitive& source,
-                              std::int64_t vertices) {
-    std::int64_t corners = vertices;
+                              std::size_t vertices) {
+    std::size_t corners = vertices;
     if (source.indices >= 0)
         corners = data.model.accessors[static_cast<std::size_t>(source.indices)].count;
     // Strips and fans make three corners of one; flat normals make a vertex of each corner.
-    const bool is_list = source.mode == PrimitiveMode::Triangles;
-    const std::int64_t list_corners = is_list ? corners : 3 * corners;
+    const bool is_list = source.mode == TINYGLTF_MODE_TRIANGLES;
+    const std::size_t list_corners = is_list ? corners : 3 * corners;
     const bool is_flat = source.attributes.find("NORMAL") == source.attributes.end();
-    const std::int64_t drawn = is_flat ? std::max(list_corners, vertices) : vertices;
-    return static_cast<std::uint64_t>(drawn) * kVertexBytes +
-           static_cast<std::uint64_t>(list_corners) * kIndexBytes;
+    const std::size_t drawn = is_flat ? std::max(list_corners, vertices) : vertices;
+    return drawn * kVertexBytes + list_corners * kIndexBytes;
 }
 
 /// Nothing when the primitive has no triangles to draw.
@@ -253,7 +254,7 @@ Result<std::optional<Primitive>> read_primitive(const GltfData& data, const Mesh
         warnings.push_back(fmt::format("{}: has no positions and is left out", pointer));
         return std::nullopt;
     }
-    if (source.mode < PrimitiveMode::Triangles) {
+    if (source.mode < TINYGLTF_MODE_TRIANGLES) {
         warnings.push_back(fmt::format("{}: points and lines are not shown", pointer));
         return std::nullopt;
     }
@@ -298,7 +299,7 @@ Status GeometryBudget::take(std::uint64_t bytes) {
 
 Result<Mesh> read_mesh(const GltfData& data, int index, const MeshPose& pose,
                        GeometryBudget& budget, std::vector<std::string>& warnings) {
-    const gltf::Mesh& source = data.model.meshes[static_cast<std::size_t>(index)];
+    const tinygltf::Mesh& source = data.model.meshes[static_cast<std::size_t>(index)];
     Mesh mesh{.name = source.name, .primitives = {}};
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         const std::string pointer = fmt::format("/meshes/{}/primitives/{}", index, i);

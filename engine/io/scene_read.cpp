@@ -3,11 +3,13 @@
 
 #include <cmath>
 
+#include "io/scene_values.h"
+
 namespace patina::io {
 namespace {
 
-using gltf::Model;
-using gltf::Node;
+using tinygltf::Model;
+using tinygltf::Node;
 
 const Node& node_at(const Model& model, int index) {
     return model.nodes[static_cast<std::size_t>(index)];
@@ -37,7 +39,7 @@ Result<WorldTransforms> place_nodes(const Model& model) {
         if (!is_child[i]) open.push_back(static_cast<int>(i));
     for (const int root : open)
         placed.world_from_local[static_cast<std::size_t>(root)] =
-            node_at(model, root).parent_from_local;
+            parent_from_local(node_at(model, root));
     while (!open.empty()) {
         const int index = open.back();
         open.pop_back();
@@ -46,7 +48,7 @@ Result<WorldTransforms> place_nodes(const Model& model) {
             return failure("/nodes/{}: its transforms multiply to infinity", index);
         for (const int child : node_at(model, index).children) {
             placed.world_from_local[static_cast<std::size_t>(child)] =
-                world * node_at(model, child).parent_from_local;
+                world * parent_from_local(node_at(model, child));
             open.push_back(child);
         }
     }
@@ -56,12 +58,12 @@ Result<WorldTransforms> place_nodes(const Model& model) {
 /// Nodes of the shown scene in depth-first order, as they are listed.
 std::vector<int> nodes_of_scene(const Model& model) {
     std::vector<int> order;
-    if (model.scene < 0) {
+    if (model.defaultScene < 0) {
         // Without a scene there is nothing to choose by: everything is shown.
         for (std::size_t i = 0; i < model.nodes.size(); ++i) order.push_back(static_cast<int>(i));
         return order;
     }
-    const auto& roots = model.scenes[static_cast<std::size_t>(model.scene)].nodes;
+    const auto& roots = model.scenes[static_cast<std::size_t>(model.defaultScene)].nodes;
     std::vector<int> open(roots.rbegin(), roots.rend());
     while (!open.empty()) {
         const int index = open.back();
@@ -99,7 +101,7 @@ class SceneReader {
         const Node& node = node_at(data_.model, index);
         const glm::mat4& world = placed_.world_from_local[static_cast<std::size_t>(index)];
         if (node.camera >= 0) add_camera(node, world);
-        if (node.light >= 0) add_light(node, world);
+        add_light(node, world);
         if (node.mesh < 0) return {};
         if (node.skin >= 0 || !node.weights.empty()) return add_posed_instance(node, world);
         return add_plain_instance(node, world);
@@ -116,7 +118,7 @@ class SceneReader {
     }
 
     void add_camera(const Node& node, const glm::mat4& world) {
-        SceneCamera camera = data_.model.cameras[static_cast<std::size_t>(node.camera)];
+        SceneCamera camera = camera_of(data_.model.cameras[static_cast<std::size_t>(node.camera)]);
         camera.world_from_camera = world;
         if (camera.name.empty()) camera.name = node.name;
         scene_.cameras.push_back(std::move(camera));
@@ -124,7 +126,9 @@ class SceneReader {
 
     /// A light shines along -z of its node.
     void add_light(const Node& node, const glm::mat4& world) {
-        Light light = data_.model.lights[static_cast<std::size_t>(node.light)];
+        const int index = index_in(extension_of(node.extensions, "KHR_lights_punctual"), "light");
+        if (index < 0) return;
+        Light light = light_of(data_.model.lights[static_cast<std::size_t>(index)]);
         light.position_world = glm::vec3(world[3]);
         const glm::vec3 direction = -glm::vec3(world[2]);
         const float length = glm::length(direction);
@@ -137,8 +141,8 @@ class SceneReader {
         int& mesh = mesh_of_source_[static_cast<std::size_t>(node.mesh)];
         if (mesh < 0) {
             const auto& source = data_.model.meshes[static_cast<std::size_t>(node.mesh)];
-            const auto added =
-                add_mesh(node.mesh, {.morph_weights = source.weights, .joints_world = {}});
+            const std::vector<float> weights = as_floats(source.weights);
+            const auto added = add_mesh(node.mesh, {.morph_weights = weights, .joints_world = {}});
             if (!added) return passed_on(added);
             mesh = *added;
         }
@@ -154,7 +158,8 @@ class SceneReader {
             if (!matrices) return passed_on(matrices);
             joints = std::move(*matrices);
         }
-        const auto& weights = node.weights.empty() ? source.weights : node.weights;
+        const std::vector<float> weights =
+            as_floats(node.weights.empty() ? source.weights : node.weights);
         const auto mesh = add_mesh(node.mesh, {.morph_weights = weights, .joints_world = joints});
         if (!mesh) return passed_on(mesh);
         // A skin places its mesh in the world; the node's own transform does not count.
@@ -163,14 +168,14 @@ class SceneReader {
     }
 
     Result<std::vector<glm::mat4>> joint_matrices(int index) {
-        const gltf::Skin& skin = data_.model.skins[static_cast<std::size_t>(index)];
+        const tinygltf::Skin& skin = data_.model.skins[static_cast<std::size_t>(index)];
         std::vector<glm::mat4> matrices;
         matrices.reserve(skin.joints.size());
         for (const int joint : skin.joints)
             matrices.push_back(placed_.world_from_local[static_cast<std::size_t>(joint)]);
-        if (skin.inverse_bind_matrices < 0) return matrices;
+        if (skin.inverseBindMatrices < 0) return matrices;
         std::size_t not_finite = 0;
-        const auto inverse_bind = read_floats(data_, skin.inverse_bind_matrices, not_finite);
+        const auto inverse_bind = read_floats(data_, skin.inverseBindMatrices, not_finite);
         if (!inverse_bind) return passed_on(inverse_bind);
         for (std::size_t i = 0; i < matrices.size(); ++i) {
             glm::mat4 joint_from_mesh;

@@ -13,17 +13,16 @@ void append(std::vector<std::uint32_t>& list, std::uint32_t a, std::uint32_t b, 
 
 }  // namespace
 
-std::vector<std::uint32_t> triangle_list(gltf::PrimitiveMode mode,
-                                         std::vector<std::uint32_t> corners) {
-    assert(mode >= gltf::PrimitiveMode::Triangles);
+std::vector<std::uint32_t> triangle_list(int mode, std::vector<std::uint32_t> corners) {
+    assert(mode >= TINYGLTF_MODE_TRIANGLES);
     std::vector<std::uint32_t> list;
-    const bool is_list = mode == gltf::PrimitiveMode::Triangles;
+    const bool is_list = mode == TINYGLTF_MODE_TRIANGLES;
     list.reserve(is_list ? corners.size() : 3 * corners.size());
     const std::size_t step = is_list ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
         const std::uint32_t next = corners[i + 1];
         const std::uint32_t after = corners[i + 2];
-        if (mode == gltf::PrimitiveMode::Fan)
+        if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
             append(list, next, after, corners[0]);
         else if (!is_list && i % 2 == 1)
             append(list, corners[i], after, next);

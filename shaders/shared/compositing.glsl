@@ -28,6 +28,19 @@ Real unpremultiplied(Real premultiplied, Real coverage) {
     return select(coverage > 0.0f, premultiplied / max(coverage, 1e-30f), 0.0f);
 }
 
+/// The premultiplied result of a source that takes the place of the backdrop by the weight, with its
+/// own coverage: where the source is clear, the backdrop is cleared. What covers then is
+/// replaced_coverage. GIMP, "replace" of its layer modes; Porter and Duff's "source" at weight 1.
+Real replaced_premultiplied(Real backdrop, Real backdrop_coverage, Real source,
+                            Real source_coverage, Real weight) {
+    return weight * source_coverage * source + (1.0f - weight) * (backdrop_coverage * backdrop);
+}
+
+/// The coverage that a replacing source leaves.
+Real replaced_coverage(Real backdrop_coverage, Real source_coverage, Real weight) {
+    return mix(backdrop_coverage, source_coverage, weight);
+}
+
 /// Source over an opaque backdrop: from the backdrop to `blended` = B(Cb, Cs) by the weight.
 /// Exactly the backdrop at weight 0 and exactly `blended` at 1.
 Real over_opaque(Real backdrop, Real blended, Real weight) {

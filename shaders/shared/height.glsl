@@ -14,6 +14,16 @@ Real height_max(Real backdrop, Real source) {
     return max(backdrop, source);
 }
 
+/// The lower of the two. Commutative; equal heights return themselves.
+Real height_min(Real backdrop, Real source) {
+    return min(backdrop, source);
+}
+
+/// What lies below less the source. 0 is neutral.
+Real height_subtract(Real backdrop, Real source) {
+    return backdrop - source;
+}
+
 /// Slope per texel across three columns of three heights, of which the outer two are given:
 /// Sobel's operator, which is exact for planes. Irwin Sobel, 1968.
 /// Arguments: the column (or row) before, in order, then the one after.

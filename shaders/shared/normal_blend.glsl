@@ -48,6 +48,14 @@ Real3 normal_blend_udn(Real3 backdrop, Real3 source) {
     return unit_normal(Real3(backdrop.x + source.x, backdrop.y + source.y, backdrop.z));
 }
 
+/// Partial derivatives: the slopes of the two surfaces add, as those of heights do. Commutative;
+/// flat is neutral.
+Real3 normal_blend_partial_derivative(Real3 backdrop, Real3 source) {
+    return unit_normal(Real3(backdrop.x * source.z + source.x * backdrop.z,
+                             backdrop.y * source.z + source.y * backdrop.z,
+                             backdrop.z * source.z));
+}
+
 /// Whiteout: slopes add and heights multiply. Commutative; flat is neutral.
 Real3 normal_blend_whiteout(Real3 backdrop, Real3 source) {
     return unit_normal(Real3(backdrop.x + source.x, backdrop.y + source.y, backdrop.z * source.z));

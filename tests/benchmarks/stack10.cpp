@@ -141,7 +141,7 @@ Number blended(StackMode mode, Number below, Number own) {
         case StackMode::Overlay:
             return below <= Number(0.5) ? 2 * below * own : 1 - 2 * (1 - below) * (1 - own);
         case StackMode::Add:
-            return below + own;
+            return std::min(below + own, Number(1));
         case StackMode::SoftLight: {
             const Number d =
                 below <= Number(0.25) ? ((16 * below - 12) * below + 4) * below : std::sqrt(below);

@@ -13,7 +13,7 @@ std::optional<BlendMode> blend_combo(Ui& ui, const Rect& rect, const ComboSpec& 
     for (const BlendModeInfo& row : kBlendModes) {
         if ((row.kinds & kind_bit(kind)) == 0) continue;
         if (row.mode == current) chosen = static_cast<int>(items.size());
-        items.push_back({.label = row.label, .group = row.group});
+        items.push_back({.label = row.label, .group = row.group, .tooltip = row.tooltip});
         modes.push_back(row.mode);
     }
     const std::optional<int> picked = combo(ui, rect, spec, items, chosen);

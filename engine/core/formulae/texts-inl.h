@@ -2,6 +2,7 @@
 // No include guard: formulae.h and formulae-inl.h include this inside a namespace, once for each
 // meaning of Real. Every file of shaders/shared/ but the GLSL prelude stands in both lists.
 
+#undef SHARED_BLEND_COLOR_GLSL
 #undef SHARED_BLEND_GLSL
 #undef SHARED_BRDF_GLSL
 #undef SHARED_COLOR_GLSL
@@ -18,6 +19,7 @@
 #undef SHARED_TRANSCENDENTAL_GLSL
 
 #include "shared/blend.glsl"
+#include "shared/blend_color.glsl"
 #include "shared/brdf.glsl"
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"

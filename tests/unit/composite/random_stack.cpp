@@ -5,6 +5,32 @@
 #include <cstring>
 
 namespace patina {
+namespace {
+
+/// Whether a mode never makes much of little, as those do that divide or have a step: there the
+/// last digit of a float decides.
+bool is_continuous(BlendMode mode) {
+    switch (mode) {
+        case BlendMode::Replace:
+        case BlendMode::ColorBurn:
+        case BlendMode::ColorDodge:
+        case BlendMode::VividLight:
+        case BlendMode::HardMix:
+        case BlendMode::Divide:
+        case BlendMode::InverseDivide:
+        case BlendMode::HueW3c:
+        case BlendMode::SaturationW3c:
+        case BlendMode::TintHsv:
+        case BlendMode::SaturationHsv:
+        case BlendMode::ColorHsv:
+        case BlendMode::ValueHsv:
+            return false;
+        default:
+            return true;
+    }
+}
+
+}  // namespace
 
 RandomStack::RandomStack(std::uint32_t seed, int size, RandomSources sources)
     : random_(seed), size_(size), sources_(sources) {}
@@ -98,7 +124,8 @@ BlendMode RandomStack::mode(Channel channel) {
     for (;;) {
         const BlendMode mode =
             kBlendModes[static_cast<std::size_t>(index(static_cast<int>(kBlendModes.size())))].mode;
-        if (applies_to(mode, channel)) return mode;
+        const bool wanted = sources_ == RandomSources::All || is_continuous(mode);
+        if (wanted && applies_to(mode, channel)) return mode;
     }
 }
 

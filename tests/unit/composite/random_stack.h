@@ -10,6 +10,8 @@
 
 namespace patina {
 
+/// ConstantsAndImages: what a reference in double precision can follow to the last byte; modes that
+/// divide or have a step are left out as well.
 enum class RandomSources { ConstantsAndImages, All };
 
 class RandomStack {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "shaders/published_modes.h"
+
 namespace patina {
 namespace {
 
@@ -30,38 +32,6 @@ Vec3 unit(const Vec3& v) {
     return length > 1e-10 ? v / length : Vec3(0, 0, 1);
 }
 
-double separable(BlendMode mode, double cb, double cs) {
-    const auto hard_light = [](double b, double s) {
-        return s <= 0.5 ? b * 2 * s : b + (2 * s - 1) - b * (2 * s - 1);
-    };
-    switch (mode) {
-        case BlendMode::Darken:
-            return std::min(cb, cs);
-        case BlendMode::Multiply:
-            return cb * cs;
-        case BlendMode::Lighten:
-        case BlendMode::HeightMax:
-            return std::max(cb, cs);
-        case BlendMode::Screen:
-            return 1 - (1 - cb) * (1 - cs);
-        case BlendMode::Add:
-        case BlendMode::HeightAdd:
-            return cb + cs;
-        case BlendMode::Overlay:
-            return hard_light(cs, cb);
-        case BlendMode::SoftLightW3c: {
-            const double d = cb <= 0.25 ? ((16 * cb - 12) * cb + 4) * cb : std::sqrt(cb);
-            return cs <= 0.5 ? cb - (1 - 2 * cs) * cb * (1 - cb) : cb + (2 * cs - 1) * (d - cb);
-        }
-        case BlendMode::Difference:
-            return std::abs(cb - cs);
-        case BlendMode::Subtract:
-            return cb - cs;
-        default:
-            return cs;
-    }
-}
-
 Vec3 rnm(const Vec3& below, const Vec3& detail) {
     const Vec3 t = below + Vec3(0, 0, 1);
     const Vec3 u = detail * Vec3(-1, -1, 1);
@@ -77,6 +47,9 @@ Vec3 normal_laid(BlendMode mode, const Vec3& below, const Vec3& source, double w
             return unit({below.x + faded.x, below.y + faded.y, below.z});
         case BlendMode::NormalWhiteout:
             return unit({below.x + faded.x, below.y + faded.y, below.z * faded.z});
+        case BlendMode::NormalPartial:
+            return unit(
+                {below.x / below.z + faded.x / faded.z, below.y / below.z + faded.y / faded.z, 1});
         default:
             return unit(glm::mix(below, source, weight));
     }
@@ -87,6 +60,7 @@ struct Accumulated {
     Vec3 value = Vec3(0);
     double coverage = 0;
     bool encoded = false;
+    bool opaque = false;  ///< of the stack itself
 };
 using Accumulators = PerChannel<Accumulated>;
 
@@ -104,7 +78,7 @@ class Texel {
     Vec3 channel(Channel channel) const {
         Accumulators accumulators;
         for (const ChannelInfo& entry : kChannels)
-            at(accumulators, entry.channel) = {Vec3(stack_bottom(entry.channel)), 1.0, false};
+            at(accumulators, entry.channel) = {Vec3(stack_bottom(entry.channel)), 1.0, false, true};
         composite(material_.stack, accumulators);
         put_into_space(at(accumulators, channel), false);
         return at(accumulators, channel).value;
@@ -119,6 +93,7 @@ class Texel {
     void composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const;
     void lay(const Layer& layer, Channel channel, Sampled source, double weight,
              Accumulators& accumulators) const;
+    static void replace(Channel channel, const Sampled& source, double weight, Accumulated& below);
     double mask(const Mask& mask) const;
     Sampled sampled(const Source& source, ChannelKind kind) const;
     Sampled sampled_image(const ImageSource& source, ChannelKind kind) const;
@@ -152,7 +127,9 @@ void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumula
             Sampled source;
             if (layer->is_group()) {
                 Accumulated& child = at(children, entry.channel);
-                if (child.coverage == 0) continue;
+                const bool clears =
+                    effective_blend_mode(*layer, entry.channel) == BlendMode::Replace;
+                if (child.coverage == 0 && !clears) continue;
                 put_into_space(child, wants_encoded);
                 source = {child.value, child.coverage};
             } else {
@@ -160,10 +137,22 @@ void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumula
                 if (wants_encoded) source.value = encoded(source.value);
             }
             put_into_space(at(accumulators, entry.channel), wants_encoded);
-            lay(*layer, entry.channel, source,
-                weight * static_cast<double>(settings.opacity) * source.coverage, accumulators);
+            lay(*layer, entry.channel, source, weight * static_cast<double>(settings.opacity),
+                accumulators);
         }
     }
+}
+
+/// GIMP's replace: both colour and coverage go over to the source's by the weight. The bottom of
+/// the stack stays opaque.
+void Texel::replace(Channel channel, const Sampled& source, double weight, Accumulated& below) {
+    const double left = (1 - weight) * below.coverage + weight * source.coverage;
+    if (left > 0)
+        below.value = ((1 - weight) * below.coverage * below.value +
+                       weight * source.coverage * source.value) /
+                      left;
+    if (info(channel).kind == ChannelKind::Normal) below.value = unit(below.value);
+    if (!below.opaque) below.coverage = left;
 }
 
 /// W3C: co = as (1 - ab) Cs + as ab B + (1 - as) ab Cb, ao = as + ab - as ab, colour co / ao.
@@ -171,6 +160,8 @@ void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weig
                 Accumulators& accumulators) const {
     Accumulated& below = at(accumulators, channel);
     const BlendMode mode = effective_blend_mode(layer, channel);
+    if (mode == BlendMode::Replace) return replace(channel, source, weight, below);
+    weight *= source.coverage;
     const double ab = below.coverage;
     const double ao = weight + ab - weight * ab;
     if (ao <= 0) return;
@@ -178,12 +169,10 @@ void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weig
         const Vec3 laid = ab > 0 ? normal_laid(mode, below.value, source.value, weight) : Vec3(0);
         below.value = unit(laid * ab + source.value * (weight * (1 - ab)));
     } else {
-        for (int k = 0; k < 3; ++k) {
-            const double blended = separable(mode, below.value[k], source.value[k]);
-            below.value[k] = (weight * (1 - ab) * source.value[k] + weight * ab * blended +
-                              (1 - weight) * ab * below.value[k]) /
-                             ao;
-        }
+        const Vec3 blended = testing::published_blend(mode, below.value, source.value);
+        below.value = (weight * (1 - ab) * source.value + weight * ab * blended +
+                       (1 - weight) * ab * below.value) /
+                      ao;
     }
     below.coverage = ao;
 }
@@ -324,6 +313,9 @@ Texel::Sampled Texel::sampled_image(const ImageSource& source, ChannelKind kind)
     if (scalar && source.pick == ChannelPick::Rgb && image.channels >= 3)
         result.value =
             Vec3(0.2126 * result.value.x + 0.7152 * result.value.y + 0.0722 * result.value.z);
+    // Colours and scalars have no meaning beyond 0..1; heights and directions do.
+    if (kind == ChannelKind::Color || kind == ChannelKind::Scalar)
+        result.value = glm::clamp(result.value, 0.0, 1.0);
     return result;
 }
 

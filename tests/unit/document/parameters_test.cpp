@@ -158,6 +158,7 @@ TEST(Parameters, ModesOfTheSchemaAreThoseOfTheTable) {
     const json schema = json::parse(
         read_text_file(std::filesystem::path(PATINA_SOURCE_DIR) / "presets/schema.json").value());
     const std::map<std::string, Channel> examples = {{"color-mode", Channel::BaseColor},
+                                                     {"scalar-mode", Channel::Roughness},
                                                      {"normal-mode", Channel::Normal},
                                                      {"height-mode", Channel::Height}};
     for (const auto& [name, channel] : examples) {

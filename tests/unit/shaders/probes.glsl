@@ -6,6 +6,7 @@
 #define PROBES_GLSL
 
 #include "shared/blend.glsl"
+#include "shared/blend_color.glsl"
 #include "shared/brdf.glsl"
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
@@ -47,6 +48,35 @@ Real4 probe_blend(int which, Real4 a, Real4 b) {
     if (which == 2)
         return Real4(blend_darken(a.x, b.x), blend_lighten(a.x, b.x), blend_difference(a.x, b.x),
                      over_coverage(a.x, b.x));
+    if (which == 3)
+        return Real4(blend_linear_burn(a.x, b.x), blend_soft_light_pegtop(a.x, b.x),
+                     blend_linear_light(a.x, b.x), blend_pin_light(a.x, b.x));
+    if (which == 4)
+        return Real4(blend_hard_mix(a.x, b.x * 0.7f + 0.001f), blend_exclusion(a.x, b.x),
+                     blend_inverse_subtract(a.x, b.x), blend_signed_add(a.x, b.x));
+    // Quotients by what is not next to 0, where any rounding is large.
+    if (which == 5)
+        return Real4(blend_color_burn(a.x, b.x * 0.9f + 0.1f), blend_color_dodge(a.x, b.x * 0.9f),
+                     blend_divide(a.x, b.x * 0.9f + 0.1f),
+                     blend_inverse_divide(a.x * 0.9f + 0.1f, b.x));
+    if (which == 6)
+        return Real4(blend_vivid_light(a.x, b.x * 0.8f + 0.1f), blend_average(a.x, b.x),
+                     height_min(a.x, b.x), height_subtract(a.x, b.x));
+    Real3 below = Real3(a.x, a.y, a.z);
+    // Never grey, whose hue any rounding decides.
+    Real3 vivid_below = Real3(0.5f + 0.5f * a.x, 0.4f * a.y, 0.4f * a.z);
+    Real3 own = Real3(0.4f * b.x, 0.5f + 0.5f * b.y, 0.4f * b.z);
+    if (which == 7) return Real4(blend_hue_w3c(below, own), blend_value_hsv(vivid_below, own).x);
+    if (which == 8)
+        return Real4(blend_saturation_w3c(vivid_below, own), blend_color_w3c(below, own).x);
+    if (which == 9)
+        return Real4(blend_luminosity_w3c(vivid_below, own), blend_tint_hsv(below, own).x);
+    if (which == 10)
+        return Real4(blend_saturation_hsv(vivid_below, own), blend_color_hsv(below, own).x);
+    if (which == 11)
+        return Real4(normal_blend_partial_derivative(probe_normal(a), probe_normal(b)),
+                     unpremultiplied(replaced_premultiplied(a.x, a.y, b.x, b.y, b.z),
+                                     replaced_coverage(a.y, b.y, b.z)));
     return Real4(over_premultiplied(a.x, a.y, b.x, b.y, b.z), unpremultiplied(a.x, b.x),
                  over_opaque(a.x, b.x, b.y), luminance(srgb_from_linear(Real3(a.x, a.y, a.z))));
 }
@@ -160,13 +190,13 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
 
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
-    if (which < 4) return probe_blend(which, a, b);
-    if (which < 12) return probe_surface(which - 4, a, b);
-    if (which < 14) return probe_number(which - 12, a, b);
-    if (which < 16) return probe_noise(which - 14, a, b);
-    if (which < 20) return probe_light(which - 16, a, b);
-    if (which < 27) return probe_phong(which - 20, a, b);
-    if (which < 30) return probe_environment(which - 27, a, b);
+    if (which < 13) return probe_blend(which, a, b);
+    if (which < 21) return probe_surface(which - 13, a, b);
+    if (which < 23) return probe_number(which - 21, a, b);
+    if (which < 25) return probe_noise(which - 23, a, b);
+    if (which < 29) return probe_light(which - 25, a, b);
+    if (which < 36) return probe_phong(which - 29, a, b);
+    if (which < 39) return probe_environment(which - 36, a, b);
     return Real4(-1.0f);
 }
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdio>
 
-#include "io/gltf_read.h"
+#include "io/gltf_check.h"
 
-namespace patina::io::gltf {
+namespace patina::io {
 namespace {
 
 /// What becomes of a file that requires an extension. One that is in neither table could mean
@@ -16,6 +16,7 @@ constexpr std::array kShown = std::to_array<std::string_view>({
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_specular",
     "KHR_materials_unlit",
     "KHR_materials_variants",
@@ -38,7 +39,6 @@ constexpr std::array kKept = std::to_array<std::string_view>({
     "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion",
     "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_sheen",
     "KHR_materials_transmission",
     "KHR_materials_volume",
@@ -68,12 +68,12 @@ std::optional<Version> parsed_version(const std::string& text) {
     return version;
 }
 
-void check_required_extensions(const JsonPlace& root, Model& model) {
+void check_required_extensions(const JsonPlace& root, CheckedGltf& checked) {
     for (const std::string& name : root.texts("extensionsRequired")) {
         const auto is_name = [&](std::string_view known) { return known == name; };
         const std::string shown = quoted_for_message(name, 80);
         if (std::any_of(kKept.begin(), kKept.end(), is_name))
-            model.warnings.push_back(fmt::format(
+            checked.warnings.push_back(fmt::format(
                 "{} is kept in the file, but Patina shows the model without it", shown));
         else if (std::none_of(kShown.begin(), kShown.end(), is_name))
             root.fault("extensionsRequired",
@@ -85,7 +85,7 @@ void check_required_extensions(const JsonPlace& root, Model& model) {
 
 }  // namespace
 
-void check_versions(const JsonPlace& root, Model& model) {
+void check_versions(const JsonPlace& root, CheckedGltf& checked) {
     if (!root.has("asset")) return root.fault("asset", "is missing: not a glTF 2.0 file");
     const JsonPlace asset = root.object("asset");
     const auto version = parsed_version(asset.text("version"));
@@ -101,7 +101,7 @@ void check_versions(const JsonPlace& root, Model& model) {
                                     quoted_for_message(asset.text("minVersion"), 20)));
     }
     root.texts("extensionsUsed");
-    check_required_extensions(root, model);
+    check_required_extensions(root, checked);
 }
 
-}  // namespace patina::io::gltf
+}  // namespace patina::io
