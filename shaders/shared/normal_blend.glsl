@@ -49,11 +49,12 @@ Real3 normal_blend_udn(Real3 backdrop, Real3 source) {
 }
 
 /// Partial derivatives: the slopes of the two surfaces add, as those of heights do. Commutative;
-/// flat is neutral.
+/// flat is neutral. What faces down or sideways, which has no slope, counts as all but upright.
 Real3 normal_blend_partial_derivative(Real3 backdrop, Real3 source) {
-    return unit_normal(Real3(backdrop.x * source.z + source.x * backdrop.z,
-                             backdrop.y * source.z + source.y * backdrop.z,
-                             backdrop.z * source.z));
+    Real below_z = max(backdrop.z, 1e-3f);
+    Real own_z = max(source.z, 1e-3f);
+    return unit_normal(Real3(backdrop.x * own_z + source.x * below_z,
+                             backdrop.y * own_z + source.y * below_z, below_z * own_z));
 }
 
 /// Whiteout: slopes add and heights multiply. Commutative; flat is neutral.

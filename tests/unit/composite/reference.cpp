@@ -47,9 +47,10 @@ Vec3 normal_laid(BlendMode mode, const Vec3& below, const Vec3& source, double w
             return unit({below.x + faded.x, below.y + faded.y, below.z});
         case BlendMode::NormalWhiteout:
             return unit({below.x + faded.x, below.y + faded.y, below.z * faded.z});
-        case BlendMode::NormalPartial:
-            return unit(
-                {below.x / below.z + faded.x / faded.z, below.y / below.z + faded.y / faded.z, 1});
+        case BlendMode::NormalPartial: {
+            const double bz = std::max(below.z, 1e-3), sz = std::max(faded.z, 1e-3);
+            return unit({below.x / bz + faded.x / sz, below.y / bz + faded.y / sz, 1});
+        }
         default:
             return unit(glm::mix(below, source, weight));
     }
