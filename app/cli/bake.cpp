@@ -7,6 +7,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/map_options.h"
 #include "cli/progress_bar.h"
 #include "core/log.h"
 #include "io/save.h"
@@ -28,12 +29,20 @@ struct BakeOptions {
     std::filesystem::path output;
     std::vector<PresetRequest> presets;
     io::SaveOptions save;
+    std::filesystem::path maps_folder;
+    io::MapExportOptions maps;
     WorkOptions work;
 };
 
-nlohmann::ordered_json to_json(const io::SaveReport& report) {
+struct BakeReport {
+    io::SaveReport saved;
+    std::vector<std::filesystem::path> map_files;
+};
+
+nlohmann::ordered_json to_json(const BakeReport& baked) {
+    const io::SaveReport& report = baked.saved;
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (const auto& file : report.map_files) files.push_back(file.string());
+    for (const auto& file : baked.map_files) files.push_back(file.string());
     return {{"output", report.path.string()},
             {"bytes", report.bytes},
             {"materials_written", report.materials_written},
@@ -42,27 +51,42 @@ nlohmann::ordered_json to_json(const io::SaveReport& report) {
             {"warnings", report.warnings}};
 }
 
-void print(const io::SaveReport& report) {
+void print(const BakeReport& baked) {
+    const io::SaveReport& report = baked.saved;
     fmt::print("{}: {} bytes, {} materials written, {} maps baked\n", report.path.string(),
                report.bytes, report.materials_written, report.maps_baked);
-    for (const auto& file : report.map_files) fmt::print("{}\n", file.string());
+    for (const auto& file : baked.map_files) fmt::print("{}\n", file.string());
+}
+
+Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
+    auto loaded = opened_document(options.input, progress);
+    if (!loaded) return passed_on(loaded);
+    if (const Status applied = apply_presets(*loaded, options.presets); !applied)
+        return passed_on(applied);
+    const auto saved = io::save_document(*loaded->document, *loaded->images, options.output,
+                                         options.save, progress);
+    if (!saved) return passed_on(saved);
+    BakeReport report{.saved = *saved, .map_files = {}};
+    if (options.maps_folder.empty()) return report;
+    io::MapExportOptions maps = options.maps;
+    maps.size = options.save.size;
+    auto files =
+        io::export_maps(*loaded->document, *loaded->images, options.maps_folder, maps, progress);
+    if (!files) return passed_on(files);
+    report.map_files = std::move(*files);
+    return report;
 }
 
 Status run_bake(const BakeOptions& options) {
     const ThreadScope threads(options.work);
     const Progress progress;
-    Result<io::SaveReport> report;
+    Result<BakeReport> report;
     {
         const ProgressBar bar(progress, !options.work.quiet);
-        auto loaded = opened_document(options.input, progress);
-        if (!loaded) return passed_on(loaded);
-        if (const Status applied = apply_presets(*loaded, options.presets); !applied)
-            return applied;
-        report = io::save_document(*loaded->document, *loaded->images, options.output, options.save,
-                                   progress);
+        report = bake(options, progress);
     }
     if (!report) return passed_on(report);
-    for (const std::string& warning : report->warnings) log_warning("{}", warning);
+    for (const std::string& warning : report->saved.warnings) log_warning("{}", warning);
     if (options.work.json)
         fmt::print("{}\n", to_json(*report).dump(2));
     else if (!options.work.quiet)
@@ -80,21 +104,19 @@ void add_bake(CLI::App& app, Command& chosen) {
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".glb", ".gltf"}, "The file to write");
     add_preset_option(*command, options->presets);
+    add_map_size_option(*command, options->save.size);
     command
-        ->add_option("--size", options->save.size,
-                     "Side of the baked maps; as each material says if unset")
-        ->check(CLI::IsMember({256, 512, 1024, 2048, 4096, 8192}))
-        ->type_name("256|512|1024|2048|4096|8192");
-    command
-        ->add_option("--maps", options->save.maps_folder,
-                     "Also write each baked map as a file of its own into this folder")
+        ->add_option("--maps", options->maps_folder,
+                     "Also write every map of the result as a file of its own into this folder,\n"
+                     "as 'patina export' does")
         ->type_name("DIR");
-    command->add_option("--map-format", options->save.map_format, "The format of those files")
-        ->check(CLI::IsMember({"png", "tif"}))
-        ->type_name("png|tif")
-        ->capture_default_str();
+    add_map_options(*command, options->maps);
     add_work_options(*command, options->work);
-    command->callback([options, &chosen] { chosen = [options] { return run_bake(*options); }; });
+    command->callback([options, &chosen] {
+        if (const Status good = io::check_map_options(options->maps); !good)
+            throw CLI::ValidationError("--map-format", good.error().message);
+        chosen = [options] { return run_bake(*options); };
+    });
 }
 
 }  // namespace patina::cli

@@ -11,7 +11,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr std::array kCommands = {add_bake,  add_render, add_info,
+constexpr std::array kCommands = {add_bake,  add_render, add_export, add_info,
                                   add_check, add_preset, add_sample};
 
 constexpr const char* kFooter =

@@ -120,7 +120,7 @@ Status run_export(const ExportOptions& options) {
     return write_file_atomically(options.output, text);
 }
 
-void add_export(CLI::App& app, Command& chosen) {
+void add_export_preset(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("export", "Write a material's stack as a preset file");
     auto options = std::make_shared<ExportOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
@@ -180,7 +180,7 @@ void add_preset(CLI::App& app, Command& chosen) {
         "  patina preset export painted.glb --material Body --licence CC0-1.0 -o worn-paint.json");
     add_list(*command, chosen);
     add_show(*command, chosen);
-    add_export(*command, chosen);
+    add_export_preset(*command, chosen);
     add_check_presets(*command, chosen);
 }
 

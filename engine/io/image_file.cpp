@@ -26,8 +26,7 @@ OIIO::TypeDesc type_of(SampleType type) {
     return OIIO::TypeUnknown;
 }
 
-OIIO::ImageSpec spec_of(const Image& image, ImageFormat format) {
-    const bool half = format == ImageFormat::Exr && image.type != SampleType::F32;
+OIIO::ImageSpec spec_of(const Image& image, bool half) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels,
                          half ? OIIO::TypeDesc(OIIO::TypeHalf) : type_of(image.type));
     if (image.channels == 2) {
@@ -43,7 +42,7 @@ OIIO::ImageSpec spec_of(const Image& image, ImageFormat format) {
     return spec;
 }
 
-Result<Bytes> encode_with_openimageio(const Image& image, ImageFormat format) {
+Result<Bytes> encode_with_openimageio(const Image& image, ImageFormat format, bool half) {
     const std::string name =
         std::string("image.") + std::string(kImageFormats[static_cast<std::size_t>(format)].id);
     const auto output = OIIO::ImageOutput::create(name);
@@ -51,7 +50,7 @@ Result<Bytes> encode_with_openimageio(const Image& image, ImageFormat format) {
     std::vector<unsigned char> buffer;
     OIIO::Filesystem::IOVecOutput memory(buffer);
     output->set_ioproxy(&memory);
-    if (!output->open(name, spec_of(image, format)) ||
+    if (!output->open(name, spec_of(image, half)) ||
         !output->write_image(type_of(image.type), image.data.data()) || !output->close())
         return failure("cannot encode {}: {}", name, quoted_for_message(output->geterror()));
     const auto bytes = std::as_bytes(std::span(buffer));
@@ -75,9 +74,20 @@ Result<Bytes> encode_image(const Image& image, ImageFormat format, const Progres
             return encode_png(image, {}, progress);
         case ImageFormat::Tiff:
         case ImageFormat::Exr:
-            return encode_with_openimageio(image, format);
+            return encode_with_openimageio(
+                image, format, format == ImageFormat::Exr && image.type != SampleType::F32);
     }
     return failure("unknown image format");
+}
+
+Result<Bytes> encode_half_exr(const Image& image) {
+    constexpr float kLargestHalf = 65504.0f;
+    if (image.type != SampleType::F32) return encode_image(image, ImageFormat::Exr);
+    Image held = image;
+    auto* const numbers = reinterpret_cast<float*>(held.data.data());
+    for (std::size_t i = 0; i < held.data.size() / sizeof(float); ++i)
+        numbers[i] = std::clamp(numbers[i], -kLargestHalf, kLargestHalf);
+    return encode_with_openimageio(held, ImageFormat::Exr, true);
 }
 
 Status write_image_file(const std::filesystem::path& path, const Image& image,

@@ -42,6 +42,9 @@ std::optional<ImageFormat> image_format_of(const std::filesystem::path& path);
 /// floats and U8 and U16 as half floats of 0..1. What a format cannot hold is a failure.
 Result<Bytes> encode_image(const Image& image, ImageFormat format, const Progress& progress = {});
 
+/// An EXR of half floats from an F32 image; what is beyond the range of halves is held to it.
+Result<Bytes> encode_half_exr(const Image& image);
+
 /// Encodes in the format that the extension names and writes all or nothing.
 Status write_image_file(const std::filesystem::path& path, const Image& image,
                         const Progress& progress = {});

@@ -8,7 +8,6 @@
 #include "io/container_change.h"
 #include "io/file_set.h"
 #include "io/glb_write.h"
-#include "io/image_file.h"
 #include "io/material_save.h"
 #include "io/record_json.h"
 #include "io/safe_name.h"
@@ -130,47 +129,13 @@ class Saver {
             const auto maps = save_material(save, *edited[i].now, edited[i].before.get());
             if (!maps) return failure("{}: {}", shown(path_), maps.error().message);
             ++report_.materials_written;
-            if (const Status ok = add_map_files(*edited[i].now, *maps); !ok) return ok;
+            report_.maps_baked += static_cast<int>(std::count_if(
+                maps->begin(), maps->end(), [](const auto& map) { return map != nullptr; }));
         }
         report_.warnings.insert(report_.warnings.end(), save.warnings.begin(), save.warnings.end());
         progress_.set_stage("Writing");
         progress_.report(1.0f);
         return {};
-    }
-
-    Status add_map_files(const Material& material, const EncodedMaps& maps) {
-        for (std::size_t i = 0; i < maps.size(); ++i) {
-            if (!maps[i]) continue;
-            ++report_.maps_baked;
-            if (options_.maps_folder.empty()) continue;
-            const auto format = image_format_from_id(options_.map_format);
-            if (!format)
-                return failure("'{}' is no format for maps; use png or tif",
-                               quoted_for_message(options_.map_format, 20));
-            std::shared_ptr<const Bytes> bytes = maps[i]->png;
-            if (*format != ImageFormat::Png) {
-                auto encoded = encode_image(*maps[i]->image, *format, progress_);
-                if (!encoded) return passed_on(encoded);
-                bytes = std::make_shared<const Bytes>(std::move(*encoded));
-            }
-            const std::string name =
-                fmt::format("{}_{}", safe_file_name(material.name, 60), kBakedMapIds[i]);
-            report_.map_files.push_back(unused_map_path(name));
-            side_files_.push_back({report_.map_files.back(), std::move(bytes)});
-        }
-        return {};
-    }
-
-    /// Two materials may have names that become the same.
-    std::filesystem::path unused_map_path(const std::string& name) const {
-        const auto taken = [&](const std::filesystem::path& path) {
-            return std::find(report_.map_files.begin(), report_.map_files.end(), path) !=
-                   report_.map_files.end();
-        };
-        auto path = options_.maps_folder / fmt::format("{}.{}", name, options_.map_format);
-        for (int i = 2; taken(path); ++i)
-            path = options_.maps_folder / fmt::format("{}-{}.{}", name, i, options_.map_format);
-        return path;
     }
 
     void write_scene(GltfJson& gltf) {

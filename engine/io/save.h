@@ -18,9 +18,6 @@ namespace patina::io {
 struct SaveOptions {
     /// Overrides every edited material's resolution (`bake --size`).
     std::optional<int> size = std::nullopt;
-    /// Also writes each baked map here as its own file, MATERIAL_MAP.png or .tif.
-    std::filesystem::path maps_folder = {};
-    std::string map_format = "png";  ///< "png" or "tif"
     /// Keeps the file that was there as `path` with a "~" behind it (the editor: once a session).
     bool keep_previous = false;
 };
@@ -30,7 +27,6 @@ struct SaveReport {
     int materials_written = 0;  ///< whose span in the JSON changed
     int maps_baked = 0;
     std::uint64_t bytes = 0;
-    std::vector<std::filesystem::path> map_files;
     std::vector<std::string> warnings;  ///< one line each
 };
 

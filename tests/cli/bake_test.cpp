@@ -69,6 +69,37 @@ TEST_F(Bake, AlsoWritesTheMapsAsFilesAndReportsThem) {
     }
 }
 
+TEST_F(Bake, WritesAllMapsOfTheResultThoughThisSaveBakedNone) {
+    ASSERT_TRUE(succeeded(patina({"bake", sample(), "--preset", "rusted-iron@Ball", "--size", "256",
+                                  "-o", at("once.glb")})));
+    const Outcome outcome = patina({"bake", at("once.glb"), "--maps", at("maps"), "--size", "256",
+                                    "--json", "-o", at("twice.glb")});
+    ASSERT_TRUE(succeeded(outcome));
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["maps_baked"], 0);
+    EXPECT_GE(report["map_files"].size(), 3u);
+}
+
+TEST_F(Bake, MapsComeInTheBitsAndPackingThatWereAskedFor) {
+    const Outcome outcome = patina({"bake", sample(), "--preset", "rusted-iron@Ball", "--size",
+                                    "256", "--maps", at("maps"), "--map-format", "exr", "--bits",
+                                    "32", "--packing", "separate", "--json", "-o", at("out.glb")});
+    ASSERT_TRUE(succeeded(outcome));
+    std::vector<std::string> names;
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
+    for (const auto& file : report["map_files"])
+        names.push_back(std::filesystem::path(file.get<std::string>()).filename().string());
+    EXPECT_THAT(names, testing::IsSupersetOf({"Ball_base-color.exr", "Ball_height.exr",
+                                              "Ball_metalness.exr", "Ball_roughness.exr"}));
+}
+
+TEST_F(Bake, WhatNoFileCanHoldIsWrongUsage) {
+    const Outcome outcome =
+        patina({"bake", sample(), "--maps", at("maps"), "--bits", "32", "-o", at("out.glb")});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("use tif or exr"));
+}
+
 TEST_F(Bake, AnUnknownPresetOrMaterialIsOneLineThatListsTheKnownOnes) {
     const std::string input = sample();
     const Outcome preset = patina({"bake", input, "--preset", "unobtainium", "-o", at("o.glb")});

@@ -13,6 +13,7 @@
 #include "document/edits.h"
 #include "editor/session/session.h"
 #include "io/image_file.h"
+#include "io/map_export.h"
 #include "io/mesh_to_glb.h"
 #include "io/save.h"
 #include "scene/shapes.h"
@@ -127,13 +128,15 @@ void Session::export_maps(const fs::path& folder) {
     const DocumentPtr snapshot = history_->document();
     jobs_.start("Exporting maps", [this, folder, target = export_target(folder), snapshot,
                                    images = images_](const Progress& progress) {
-        auto report = std::make_shared<Result<io::SaveReport>>(io::save_document(
-            *snapshot, *images, target, {.size = {}, .maps_folder = folder}, progress));
-        return [this, folder, report] {
-            if (!*report) return report_job_failure(report->error());
-            toast(ToastKind::Done,
-                  fmt::format("Exported {} maps to {}", (*report)->map_files.size(),
-                              folder.filename().string()));
+        using Files = Result<std::vector<fs::path>>;
+        const auto saved = io::save_document(*snapshot, *images, target, {}, progress);
+        const auto files = std::make_shared<Files>(
+            saved ? io::export_maps(*snapshot, *images, folder, {}, progress)
+                  : Files(passed_on(saved)));
+        return [this, folder, files] {
+            if (!*files) return report_job_failure(files->error());
+            toast(ToastKind::Done, fmt::format("Exported {} maps to {}", (*files)->size(),
+                                               folder.filename().string()));
         };
     });
 }

@@ -305,19 +305,5 @@ TEST_F(Save, ExtrasThatAreNoObjectAreLeftAloneWithAWarning) {
     EXPECT_EQ(json["materials"][0]["extras"], "mine");
 }
 
-TEST_F(Save, MapsAreWrittenAsTheSameBytesUnderSafeNames) {
-    const auto document = quad(true, {{.name = "../Body \xC3\xA9/x"}});
-    const Document edited = with_noise_layer(*document.document, 0);
-    const auto report = saved(edited, *document.images, folder_ / "a.glb",
-                              {.size = 512, .maps_folder = folder_ / "maps", .map_format = "png"});
-    ASSERT_EQ(report.map_files.size(), 2u);
-    EXPECT_EQ(report.maps_baked, 2);
-    EXPECT_EQ(report.map_files[0].filename(), "_._Body____x_base-color.png");
-    const Bytes png = read_file(report.map_files[0]).value();
-    const Bytes binary = parts_of(read_file(folder_ / "a.glb").value()).binary;
-    EXPECT_NE(std::search(binary.begin(), binary.end(), png.begin(), png.end()), binary.end());
-    EXPECT_EQ(loaded(folder_ / "a.glb").document->materials[0]->resolution, 512);
-}
-
 }  // namespace
 }  // namespace patina::io

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "io/map_export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "composite/bake_channels.h"
+#include "composite/operations.h"
+#include "core/formulae/formulae.h"
+#include "core/parallel.h"
+#include "io/safe_name.h"
+
+namespace patina::io {
+namespace {
+
+int bits_of(const MapExportOptions& options) {
+    return options.bits.value_or(options.format == ImageFormat::Exr ? 16 : 8);
+}
+
+/// Whether the numbers are kept as floats, colours linear.
+bool keeps_floats(const MapExportOptions& options) {
+    return options.format == ImageFormat::Exr || options.bits == 32;
+}
+
+/// The channels that the maps hold, each once.
+std::vector<Channel> channels_of(const std::vector<PackedMap>& maps) {
+    std::vector<Channel> channels;
+    for (const PackedMap& map : maps)
+        for (int i = 0; i < map.channels; ++i)
+            if (const auto& channel = map.values[static_cast<std::size_t>(i)].channel)
+                if (std::find(channels.begin(), channels.end(), *channel) == channels.end())
+                    channels.push_back(*channel);
+    return channels;
+}
+
+constexpr std::uint64_t kBytesTogether = std::uint64_t{512} << 20;
+
+std::uint64_t bytes_of(const std::vector<Channel>& channels, int size) {
+    std::uint64_t components = 0;
+    for (const Channel channel : channels)
+        components += static_cast<std::uint64_t>(component_count(channel));
+    return components * static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size) *
+           sizeof(float);
+}
+
+/// One number of a file: 0..1, but for floats of heights and of bright colours.
+float packed_number(const PackedValue& value, float stored) {
+    const ChannelKind kind = info(*value.channel).kind;
+    if (kind == ChannelKind::Normal || kind == ChannelKind::Height)
+        return (value.invert ? -stored : stored) * 0.5f + 0.5f;
+    return value.invert ? 1.0f - stored : stored;
+}
+
+void store(float number, SampleType type, std::size_t index, Image& image) {
+    const float held = std::clamp(number, 0.0f, 1.0f);
+    switch (type) {
+        case SampleType::U8:
+            image.data[index] = static_cast<std::byte>(static_cast<int>(held * 255.0f + 0.5f));
+            break;
+        case SampleType::U16:
+            reinterpret_cast<std::uint16_t*>(image.data.data())[index] =
+                static_cast<std::uint16_t>(std::lround(held * 65535.0f));
+            break;
+        case SampleType::F32:
+            reinterpret_cast<float*>(image.data.data())[index] = number;
+            break;
+    }
+}
+
+bool is_one_everywhere(const PixelVector<float>& plane) {
+    return std::all_of(plane.begin(), plane.end(), [](float value) { return value >= 1.0f; });
+}
+
+Image packed_image(const PackedMap& map, const ChannelPlanes& planes, SampleType type) {
+    const bool drops_opacity =
+        map.has_opacity() && is_one_everywhere(planes.plane(Channel::Opacity));
+    Image image{.width = planes.size,
+                .height = planes.size,
+                .channels = drops_opacity ? 3 : map.channels,
+                .type = type};
+    image.data.resize(image.row_bytes() * static_cast<std::size_t>(image.height));
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const auto texels =
+        static_cast<std::int64_t>(planes.size) * static_cast<std::int64_t>(planes.size);
+    for (std::size_t c = 0; c < channels; ++c) {
+        const PackedValue& value = map.values[c];
+        const bool encode = map.is_color() && c < 3 && type != SampleType::F32;
+        parallel_for(0, texels, 1 << 16, [&](std::int64_t first, std::int64_t last) {
+            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last);
+                 ++i) {
+                float number = value.constant;
+                if (value.channel)
+                    number = packed_number(value, planes.plane(*value.channel, value.component)[i]);
+                if (encode) number = formulae::srgb_from_linear(std::clamp(number, 0.0f, 1.0f));
+                store(number, type, i * channels + c, image);
+            }
+        });
+    }
+    return image;
+}
+
+/// Opacity in a file of its own: in floats alpha would be multiplied into the colours.
+std::vector<PackedMap> maps_to_write(const MapExportOptions& options) {
+    std::vector<PackedMap> maps(options.packing->maps.begin(), options.packing->maps.end());
+    if (!keeps_floats(options)) return maps;
+    bool has_opacity = false;
+    for (PackedMap& map : maps) {
+        if (!map.has_opacity()) continue;
+        has_opacity = true;
+        map.channels = 3;
+    }
+    if (has_opacity)
+        maps.push_back({.id = "opacity", .values = {PackedValue{.channel = Channel::Opacity}}});
+    return maps;
+}
+
+class Exporter {
+  public:
+    Exporter(ImageProvider& images, const std::filesystem::path& folder,
+             const MapExportOptions& options, const Progress& progress)
+        : images_(images), folder_(folder), options_(options), progress_(progress) {}
+
+    Status write_material(const Material& material) {
+        const Program program = Program::compile(material);
+        const int size = options_.size.value_or(material.resolution);
+        for (const std::vector<PackedMap>& maps : baked_together(program, size)) {
+            const auto planes = bake_channels(program, images_, size, channels_of(maps), progress_);
+            if (!planes)
+                return failure("material \"{}\": {}", quoted_for_message(material.name, 60),
+                               planes.error().message);
+            for (const PackedMap& map : maps)
+                if (const Status written = write_map(material, map, *planes); !written)
+                    return failure("material \"{}\": {}", quoted_for_message(material.name, 60),
+                                   written.error().message);
+        }
+        return {};
+    }
+    std::vector<std::filesystem::path> take_files() { return std::move(files_); }
+
+  private:
+    /// The maps in which something varies, in groups whose channels fit into memory together: what
+    /// they share is computed once.
+    std::vector<std::vector<PackedMap>> baked_together(const Program& program, int size) const {
+        std::vector<std::vector<PackedMap>> groups;
+        for (const PackedMap& map : maps_to_write(options_)) {
+            const std::vector<Channel> channels = channels_of({map});
+            if (std::none_of(channels.begin(), channels.end(),
+                             [&](Channel channel) { return varies(program, channel); }))
+                continue;
+            if (!groups.empty()) {
+                groups.back().push_back(map);
+                if (bytes_of(channels_of(groups.back()), size) <= kBytesTogether) continue;
+                groups.back().pop_back();
+            }
+            groups.push_back({map});
+        }
+        return groups;
+    }
+
+    Status write_map(const Material& material, const PackedMap& map, const ChannelPlanes& planes) {
+        // All of it 1 says nothing, in a file of its own too.
+        if (map.channels == 1 && map.values[0].channel == Channel::Opacity &&
+            is_one_everywhere(planes.plane(Channel::Opacity)))
+            return {};
+        const SampleType type = keeps_floats(options_)    ? SampleType::F32
+                                : bits_of(options_) == 16 ? SampleType::U16
+                                                          : SampleType::U8;
+        const Image image = packed_image(map, planes, type);
+        const bool half = options_.format == ImageFormat::Exr && bits_of(options_) == 16;
+        const auto bytes =
+            half ? encode_half_exr(image) : encode_image(image, options_.format, progress_);
+        if (!bytes) return passed_on(bytes);
+        const auto path =
+            unused_path(fmt::format("{}_{}", safe_file_name(material.name, 60), map.id));
+        if (const Status written = write_file_atomically(path, *bytes); !written) return written;
+        files_.push_back(path);
+        return {};
+    }
+
+    /// Two materials may have names that become the same.
+    std::filesystem::path unused_path(const std::string& name) {
+        const std::string_view extension =
+            kImageFormats[static_cast<std::size_t>(options_.format)].id;
+        std::string unused = name;
+        for (int i = 2; !names_.insert(unused).second; ++i) unused = fmt::format("{}-{}", name, i);
+        return folder_ / fmt::format("{}.{}", unused, extension);
+    }
+
+    ImageProvider& images_;
+    const std::filesystem::path& folder_;
+    const MapExportOptions& options_;
+    const Progress& progress_;
+    std::set<std::string> names_;
+    std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace
+
+Status check_map_options(const MapExportOptions& options) {
+    const int bits = bits_of(options);
+    if (bits != 8 && bits != 16 && bits != 32)
+        return failure("maps have 8, 16 or 32 bits, not {}", bits);
+    if (options.format == ImageFormat::Png && bits == 32)
+        return failure("png holds 8 or 16 bits; use tif or exr for 32");
+    if (options.format == ImageFormat::Exr && bits == 8)
+        return failure("exr holds 16 or 32 bits; use png or tif for 8");
+    if (!keeps_floats(options)) return {};
+    for (const PackedMap& map : options.packing->maps)
+        if (map.channels == 4 && !map.has_opacity())
+            return failure(
+                "packing {} keeps data in alpha, which files of floats multiply into "
+                "the other channels; use png, or tif of 8 or 16 bits",
+                options.packing->id);
+    return {};
+}
+
+Result<std::vector<std::filesystem::path>> export_maps(const Document& document,
+                                                       ImageProvider& images,
+                                                       const std::filesystem::path& folder,
+                                                       const MapExportOptions& options,
+                                                       const Progress& progress) {
+    if (const Status good = check_map_options(options); !good) return passed_on(good);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        return failure("{}: cannot make the folder: {}", quoted_for_message(folder.string()),
+                       error.message());
+    Exporter exporter(images, folder, options, progress);
+    for (std::size_t i = 0; i < document.materials.size(); ++i) {
+        const Material& material = *document.materials[i];
+        progress.set_stage(fmt::format("Maps of {}", quoted_for_message(material.name, 60)));
+        progress.report(static_cast<float>(i) / static_cast<float>(document.materials.size()));
+        if (const Status written = exporter.write_material(material); !written)
+            return passed_on(written);
+    }
+    progress.report(1.0f);
+    return exporter.take_files();
+}
+
+}  // namespace patina::io
