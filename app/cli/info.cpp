@@ -45,6 +45,7 @@ SceneCounts counts_of(const Scene& scene) {
 }
 
 std::string_view kind_of(const Layer& layer) {
+    if (layer.is_adjustment()) return "adjustment";
     return layer.is_group() ? "group" : "fill";
 }
 
@@ -57,11 +58,13 @@ std::vector<std::string_view> channels_of(const Layer& layer) {
 }
 
 Json to_json(const Layer& layer) {
-    Json json = {{"id", layer.id.value},          {"name", layer.name},
-                 {"kind", kind_of(layer)},        {"visible", layer.visible},
-                 {"locked", layer.locked},        {"opacity", layer.opacity},
-                 {"mode", info(layer.mode).id},   {"mask_entries", layer.mask.entries.size()},
-                 {"channels", channels_of(layer)}};
+    Json json = {{"id", layer.id.value},        {"name", layer.name},
+                 {"kind", kind_of(layer)},      {"visible", layer.visible},
+                 {"locked", layer.locked},      {"opacity", layer.opacity},
+                 {"mode", info(layer.mode).id}, {"mask_entries", layer.mask.entries.size()},
+                 {"clipped", layer.clipped},    {"channels", channels_of(layer)}};
+    if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
+        json["adjustment"] = choice(content->adjustment.kind).id;
     if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
         json["children"] = Json::array();
         for (const LayerPtr& child : group->children) json["children"].push_back(to_json(*child));
@@ -106,6 +109,9 @@ Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
 
 std::string described(const Layer& layer) {
     std::string text = fmt::format("{}  [{}", quoted_for_message(layer.name), kind_of(layer));
+    if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
+        text += fmt::format(", {}", choice(content->adjustment.kind).label);
+    if (layer.clipped) text += ", clipped";
     if (layer.mode != BlendMode::Normal) text += fmt::format(", {}", info(layer.mode).label);
     if (layer.opacity != 1.0f) text += fmt::format(", {:.0f} %", 100.0f * layer.opacity);
     if (!layer.mask.entries.empty()) text += fmt::format(", mask of {}", layer.mask.entries.size());

@@ -367,6 +367,8 @@ void Workspace::perform_layer(Action action) {
             return add_layer_and_select(procedural_layer(ProceduralKind::PerlinNoise));
         case Action::AddGroup:
             return add_layer_and_select(group_layer());
+        case Action::AddAdjustment:
+            return add_layer_and_select(adjustment_layer(AdjustmentKind::Levels));
         case Action::AddImageLayer:
             ask_image([this](const ImageAssetPtr& image) {
                 const MaterialPtr now = session_->selected_material(view_);
@@ -408,6 +410,8 @@ void Workspace::perform_layer(Action action) {
             return;
         case Action::HideLayer:
             return edit(set_layer_visible(*material, *layer, !layer->visible));
+        case Action::ClipLayer:
+            return edit(set_layer_clipped(*material, *layer, !layer->clipped));
         case Action::LockLayer:
             return edit(set_layer_locked(*material, *layer, !layer->locked));
         case Action::MoveLayerUp:

@@ -232,6 +232,7 @@ void blend_by_mode(const BlendTask& task) {
         case BlendMode::Normal:
             return task.channel == Channel::Normal ? blend_normals<NormalLerp>(task)
                                                    : blend_separable<NormalMode>(task);
+        case BlendMode::PassThrough:  // its layers are on the accumulator already: they replace it
         case BlendMode::Replace:
             return blend_replacing(task);
         case BlendMode::Darken:

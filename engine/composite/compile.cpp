@@ -17,18 +17,24 @@ constexpr ChannelBits kColorChannels =
 struct StackState {
     ChannelBits encoded = 0;
     ChannelBits touched = 0;
+    bool has_backdrop = false;  ///< of a group: it started from what lies below it
     Hash128 hash;
+
+    /// Whether there is something of the channel that its space and coverage matter for.
+    bool holds(ChannelBits bit) const { return has_backdrop || (touched & bit) != 0; }
 };
 
 class Emitter {
   public:
     explicit Emitter(ProgramData& program) : program_(program) {}
 
-    StackState emit_stack(const StackTerms& terms, int depth);
+    /// `backdrop`: the state of the stack around, for a group that passes it through.
+    StackState emit_stack(const StackTerms& terms, int depth, const StackState* backdrop = nullptr);
 
   private:
     void emit_layer(const LayerTerms& terms, int depth, StackState& state);
     void emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state);
+    std::int32_t emit_masks(const LayerTerms& terms, const Operation& like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
     void emit_blend(const Contribution& contribution, Channel channel, Operation like,
                     const StackState& state, const StackState& children);
@@ -56,9 +62,16 @@ bool is_identity(const Levels& levels) {
     return levels == Levels{};
 }
 
-StackState Emitter::emit_stack(const StackTerms& terms, int depth) {
+StackState Emitter::emit_stack(const StackTerms& terms, int depth, const StackState* backdrop) {
     StackState state;
-    state.hash = Hasher().add(std::string_view(depth == 0 ? "stack" : "group")).finish();
+    Hasher start;
+    start.add(std::string_view(depth == 0 ? "stack" : "group"));
+    if (backdrop != nullptr) {
+        state.encoded = backdrop->encoded;
+        state.has_backdrop = true;
+        start.add(backdrop->hash);
+    }
+    state.hash = start.finish();
     program_.depths = std::max(program_.depths, depth + 1);
     const std::int32_t begin = here();
     for (const LayerTerms& layer : terms) {
@@ -81,13 +94,13 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     like.layer = static_cast<std::int32_t>(program_.layers.size());
     program_.layers.push_back({terms.layer->id, terms.layer->name, depth});
     emit_recoding(terms, like, state);
-    const std::int32_t mask_end = terms.mask.varies() ? emit_mask(terms.mask, like) : -1;
-    if (terms.mask.varies()) like.flags |= kUsesMask;
+    const std::int32_t mask_end = emit_masks(terms, like);
+    if (terms.has_mask()) like.flags |= kUsesMask;
     if (!terms.children.empty()) {
         Operation begin = like;
-        begin.code = OpCode::GroupBegin;
+        begin.code = terms.pass_through ? OpCode::GroupCopy : OpCode::GroupBegin;
         program_.operations.push_back(begin);
-        children = emit_stack(terms.children, depth + 1);
+        children = emit_stack(terms.children, depth + 1, terms.pass_through ? &state : nullptr);
     }
     for (const ChannelInfo& entry : kChannels) {
         const auto& contribution = at(terms.channels, entry.channel);
@@ -98,7 +111,8 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     if (mask_end >= 0) program_.operations[static_cast<std::size_t>(mask_end)].jump = here();
 }
 
-/// Brings the colours that the layer blends into the space in which it blends them. Where nothing
+/// Brings the colours that the layer blends (a group that passes through is faded in in its own
+/// space, too) into the space in which it blends them. Where nothing
 /// is accumulated yet, the space is only noted.
 void Emitter::emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state) {
     const bool encoded = terms.layer->blend_space == BlendSpace::SrgbEncoded;
@@ -107,13 +121,29 @@ void Emitter::emit_recoding(const LayerTerms& terms, const Operation& like, Stac
         const ChannelBits bit = channel_bit(channel);
         if (!contribution || ((state.encoded & bit) != 0) == encoded) continue;
         state.encoded ^= bit;
-        if ((state.touched & bit) == 0 || contribution->covers) continue;
+        if (!state.holds(bit) || contribution->covers) continue;
         Operation recoding = like;
         recoding.code = encoded ? OpCode::ToEncoded : OpCode::ToLinear;
         recoding.channel = channel;
         recoding.channels = bit;
         program_.operations.push_back(recoding);
     }
+}
+
+/// The mask of the layer times that of what it is clipped to. Returns what emit_mask does, of the
+/// last one; -1 where there is none.
+std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like) {
+    if (!terms.mask.varies()) return terms.clip.varies() ? emit_mask(terms.clip, like) : -1;
+    if (!terms.clip.varies()) return emit_mask(terms.mask, like);
+    emit_mask(terms.clip, like);
+    program_.operations.back().jump = here();  // past it: a mask alone is nothing to leave out
+    Operation step = like;
+    step.code = OpCode::MaskKeep;
+    program_.operations.push_back(step);
+    const std::int32_t end = emit_mask(terms.mask, like);
+    step.code = OpCode::MaskClip;
+    program_.operations.push_back(step);
+    return end;
 }
 
 /// Returns the index of the MaskEnd, whose jump is set when the layer is complete.
@@ -159,8 +189,12 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
     like.mode = contribution.mode;
     like.amount = contribution.weight;
     if (encoded) like.flags |= kEncoded;
-    if (contribution.covers || (like.depth > 0 && (state.touched & bit) == 0)) like.flags |= kFirst;
-    if (contribution.source != nullptr) {
+    if (contribution.covers || (like.depth > 0 && !state.holds(bit))) like.flags |= kFirst;
+    if (contribution.adjustment != nullptr) {
+        like.code = OpCode::Adjust;
+        like.source = static_cast<std::int32_t>(program_.adjustments.size());
+        program_.adjustments.push_back(*contribution.adjustment);
+    } else if (contribution.source != nullptr) {
         like.code = OpCode::Blend;
         like.source = add_source(*contribution.source, reading_of(channel, encoded));
     } else {

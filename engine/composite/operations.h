@@ -44,10 +44,19 @@ enum class OpCode : std::uint8_t {
     /// Recodes the accumulated colour of `channel` for the blend space of the layer to come.
     ToEncoded,
     ToLinear,
+    /// Keeps the finished mask of this depth, for the next MaskClip.
+    MaskKeep,
+    /// Multiplies the finished mask of this depth by the kept one.
+    MaskClip,
     /// Lays a source on the accumulator of `channel`, by `mode` and weight.
     Blend,
+    /// Lays what an adjustment makes of the accumulator of `channel` on it, by `mode` and weight.
+    Adjust,
     /// Clears the accumulators of the next depth, where the children of the group follow.
     GroupBegin,
+    /// Copies the accumulators to the next depth, where the children of a group that passes them
+    /// through follow.
+    GroupCopy,
     /// Lays what the next depth accumulated on the accumulator of `channel`.
     BlendGroup,
 };
@@ -77,7 +86,7 @@ struct Operation {
     BlendMode mode = BlendMode::Normal;
     MaskCombine combine = MaskCombine::Multiply;
     float amount = 1.0f;      ///< weight of a blend, opacity of an entry, value of MaskBegin
-    std::int32_t source = 0;  ///< index into ProgramData::sources
+    std::int32_t source = 0;  ///< index into ProgramData::sources; Adjust: into adjustments
     std::int32_t jump = 0;    ///< index of an operation
     std::int32_t layer = 0;   ///< index into ProgramData::layers
 };
@@ -125,6 +134,7 @@ struct ProgramData {
     std::vector<Operation> operations;
     std::vector<SourceRecord> sources;
     std::vector<Levels> levels;
+    std::vector<AdjustmentSettings> adjustments;
     std::vector<Hash128> images;
     std::vector<LayerRecord> layers;
     std::vector<Checkpoint> checkpoints;  ///< in the order in which they are reached

@@ -10,20 +10,38 @@
 namespace patina {
 namespace {
 
-constexpr float kOctaveGain = 0.5f;
 constexpr float kMaxCells = 512.0f;
 constexpr int kMaxOctaves = 10;
 
-int noise_kind(ProceduralKind kind) {
-    switch (kind) {
-        case ProceduralKind::ValueNoise:
-            return formulae::NOISE_VALUE;
-        case ProceduralKind::PerlinNoise:
-            return formulae::NOISE_PERLIN;
-        case ProceduralKind::WorleyNoise:
-            return formulae::NOISE_WORLEY;
+struct Cells {
+    int columns;
+    int rows;
+};
+
+int next_even(int count) {
+    return count + (count & 1);
+}
+
+/// How many cells of the kind lie across the texture and down, so that it tiles. Patterns that
+/// alternate have an even number.
+Cells cells_of(const ProceduralSource& source) {
+    const float scale = std::clamp(std::round(source.scale), 1.0f, kMaxCells);
+    const int cells = static_cast<int>(scale);
+    switch (source.kind) {
+        case ProceduralKind::Checker:
+        case ProceduralKind::Weave:
+            return {next_even(cells), next_even(cells)};
+        case ProceduralKind::Bricks: {
+            const int rows = next_even(cells);
+            const float columns = std::round(static_cast<float>(rows) / source.aspect);
+            return {std::max(static_cast<int>(columns), 1), rows};
+        }
+        case ProceduralKind::Hexagons:
+            // Rows are sqrt(3)/2 of a column's width apart.
+            return {cells, std::max(2 * static_cast<int>(std::round(scale * 0.577350269f)), 2)};
+        default:
+            return {cells, cells};
     }
-    return formulae::NOISE_VALUE;
 }
 
 void set_ramp(const std::vector<RampStop>& ramp, ProceduralTask& task) {
@@ -34,11 +52,15 @@ void set_ramp(const std::vector<RampStop>& ramp, ProceduralTask& task) {
     }
 }
 
-/// The longer side of a texel in units of the source's coordinates.
-float texel_width(const SourceRecord& record, float size) {
-    const float along_u = std::sqrt(record.to_u.x * record.to_u.x + record.to_v.x * record.to_v.x);
-    const float along_v = std::sqrt(record.to_u.y * record.to_u.y + record.to_v.y * record.to_v.y);
-    return std::max(along_u, along_v) / size;
+/// The longer side of a texel in cells.
+float texel_width(const SourceRecord& record, const Cells& cells, float size) {
+    const auto columns = static_cast<float>(cells.columns);
+    const auto rows = static_cast<float>(cells.rows);
+    const auto length = [&](float u, float v) {
+        return std::sqrt(u * u * columns * columns + v * v * rows * rows);
+    };
+    return std::max(length(record.to_u.x, record.to_v.x), length(record.to_u.y, record.to_v.y)) /
+           size;
 }
 
 }  // namespace
@@ -47,7 +69,7 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, float* co
     const auto& source = std::get<ProceduralSource>(record.source);
     const float size = static_cast<float>(span.size);
     const float v = (static_cast<float>(span.y) + 0.5f) / size;
-    const float cells = std::clamp(std::round(source.scale), 1.0f, kMaxCells);
+    const Cells cells = cells_of(source);
     ProceduralTask task{.x = span.x,
                         .count = span.count,
                         .size = size,
@@ -55,12 +77,16 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, float* co
                         .v_of_row = record.to_v.y * v + record.to_v.z,
                         .u_per_u = record.to_u.x,
                         .v_per_u = record.to_v.x,
-                        .kind = noise_kind(source.kind),
+                        .kind = source.kind,
                         .seed = source.seed,
-                        .period = static_cast<int>(cells),
+                        .columns = cells.columns,
+                        .rows = cells.rows,
                         .octaves = std::clamp(source.octaves, 1, kMaxOctaves),
-                        .gain = kOctaveGain,
-                        .footprint = cells * texel_width(record, size),
+                        .width = source.width,
+                        .softness = source.softness,
+                        .variation = source.variation,
+                        .warp = source.warp,
+                        .footprint = texel_width(record, cells, size),
                         .contrast = source.contrast,
                         .balance = source.balance,
                         .scalar = !is_vector(record.reading),

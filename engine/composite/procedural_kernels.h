@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Noises with contrast and ramp over the planes of one tile.
+/// Noises and patterns with contrast and ramp over the planes of one tile.
 
 #include <cstdint>
 
@@ -20,11 +20,15 @@ struct ProceduralTask {
     float u_per_u = 1.0f;
     float v_per_u = 0.0f;
 
-    int kind = 0;  ///< NOISE_... of shaders/shared/noise.glsl
+    ProceduralKind kind = ProceduralKind::PerlinNoise;
     std::uint32_t seed = 0;
-    int period = 1;  ///< cells across the texture
+    int columns = 1;  ///< cells across the texture
+    int rows = 1;     ///< and down
     int octaves = 1;
-    float gain = 0.5f;
+    float width = 0.5f;
+    float softness = 0.1f;
+    float variation = 0.5f;
+    float warp = 0.0f;
     float footprint = 0.0f;  ///< width of a texel in cells
     float contrast = 0.0f;
     float balance = 0.5f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "composite/run_tile.h"
 
+#include "composite/adjust_kernels.h"
 #include "composite/mask_kernels.h"
 
 namespace patina {
@@ -22,6 +23,8 @@ class Runner {
     const Levels* levels_of(const Operation& operation) const;
     void join_mask(const Operation& operation);
     void clear_group(const Operation& operation);
+    void copy_group(const Operation& operation);
+    FetchedSource adjusted(const Operation& operation);
     void recode(const Operation& operation);
     FetchedSource child_source(const Operation& operation);
     ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
@@ -102,6 +105,14 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
                 return static_cast<std::size_t>(operation.jump);
             break;
         }
+        case OpCode::MaskKeep:
+            copy_tile(planes_.mask(operation.depth), planes_.kept_mask(), span_.count);
+            break;
+        case OpCode::MaskClip: {
+            float* const mask = planes_.mask(operation.depth);
+            multiply_tile({.data = mask}, {.data = planes_.kept_mask()}, mask, span_.count);
+            break;
+        }
         case OpCode::ToEncoded:
         case OpCode::ToLinear:
             recode(operation);
@@ -109,8 +120,14 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
         case OpCode::Blend:
             blend(operation, fetch(operation, planes_.source(0)));
             break;
+        case OpCode::Adjust:
+            blend(operation, adjusted(operation));
+            break;
         case OpCode::GroupBegin:
             clear_group(operation);
+            break;
+        case OpCode::GroupCopy:
+            copy_group(operation);
             break;
         case OpCode::BlendGroup:
             blend(operation, child_source(operation));
@@ -158,6 +175,40 @@ void Runner::clear_group(const Operation& operation) {
             fill_tile(planes_.channel(depth, entry.channel, k), bottom[k], span_.count);
         fill_tile(planes_.coverage(depth, entry.channel), 0.0f, span_.count);
     }
+}
+
+/// The next depth starts from what is accumulated here; the stack itself is opaque.
+void Runner::copy_group(const Operation& operation) {
+    const int depth = operation.depth;
+    for (const ChannelInfo& entry : kChannels) {
+        const Channel channel = entry.channel;
+        if ((operation.channels & run_.wanted & channel_bit(channel)) == 0) continue;
+        for (int k = 0; k < component_count(channel); ++k)
+            copy_tile(planes_.channel(depth, channel, k), planes_.channel(depth + 1, channel, k),
+                      span_.count);
+        float* const coverage = planes_.coverage(depth + 1, channel);
+        if (depth == 0)
+            fill_tile(coverage, 1.0f, span_.count);
+        else
+            copy_tile(planes_.coverage(depth, channel), coverage, span_.count);
+    }
+}
+
+/// What the adjustment makes of the accumulator.
+FetchedSource Runner::adjusted(const Operation& operation) {
+    AdjustTask task{.adjustment = &program_.adjustments[static_cast<std::size_t>(operation.source)],
+                    .channel = operation.channel,
+                    .encoded = (operation.flags & kEncoded) != 0,
+                    .count = span_.count};
+    FetchedSource source;
+    for (int k = 0; k < component_count(operation.channel); ++k) {
+        task.from[k] = planes_.channel(operation.depth, operation.channel, k);
+        task.to[k] = planes_.source(k);
+        source.components[k] = {.data = task.to[k]};
+    }
+    source.coverage = uniform_one();
+    run_adjustment(task);
+    return source;
 }
 
 void Runner::recode(const Operation& operation) {
@@ -209,7 +260,8 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
         task.target[k] = planes_.channel(operation.depth, operation.channel, k);
         task.source[k] = source.components[k];
     }
-    if (operation.depth > 0)
+    // An adjustment changes what is there, and covers no more than that.
+    if (operation.depth > 0 && operation.code != OpCode::Adjust)
         task.target_coverage = planes_.coverage(operation.depth, operation.channel);
     blend_tile(task);
     if (run_.observer) {

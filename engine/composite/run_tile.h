@@ -10,7 +10,8 @@
 
 namespace patina {
 
-/// Called after each Blend and BlendGroup, with what it laid on and the planes as they are now.
+/// Called after each Blend, Adjust and BlendGroup, with what it laid on and the planes as they are
+/// now.
 using BlendObserver =
     std::function<void(const Operation&, const FetchedSource& source, float weight_of_first_texel,
                        float mask_of_first_texel, TilePlanes& planes)>;

@@ -52,9 +52,14 @@ void add_contributions(const Layer& layer, float weight, LayerTerms& terms) {
         const Channel channel = entry.channel;
         const ChannelSettings& settings = at(layer.channels, channel);
         if (!settings.enabled || settings.opacity <= 0.0f) continue;
-        Contribution contribution{.source = layer.is_group() ? nullptr : &settings.source,
-                                  .mode = effective_blend_mode(layer, channel),
+        Contribution contribution{.mode = effective_blend_mode(layer, channel),
                                   .weight = weight * settings.opacity};
+        if (const auto* const content = std::get_if<AdjustmentContent>(&layer.content))
+            contribution.adjustment = &content->adjustment;
+        else if (!layer.is_group())
+            contribution.source = &settings.source;
+        // What a group passes through takes the place of what it started from.
+        if (terms.pass_through) contribution.mode = BlendMode::Replace;
         if (layer.is_group() && layers_of_channel(terms.children, channel).empty()) continue;
         at(terms.channels, channel) = contribution;
     }
@@ -70,17 +75,27 @@ void keep_channels(StackTerms& terms, ChannelBits kept) {
     std::erase_if(terms, [](const LayerTerms& layer) { return layer.channel_bits() == 0; });
 }
 
+/// What the lowest layer of a stack lies on.
+enum class Below { Bottom, Nothing, Backdrop };
+
 /// The lowest contribution lies on a bottom that is neutral for some modes, or, in a group, on
-/// nothing: there its mode is the same as normal.
-void simplify_lowest(StackTerms& terms, Channel channel, bool in_group) {
+/// nothing: there its mode is the same as normal, and there is nothing to adjust.
+void simplify_lowest(StackTerms& terms, Channel channel, Below below) {
+    if (below == Below::Backdrop) return;
     for (LayerTerms& layer : terms) {
         auto& contribution = at(layer.channels, channel);
         if (!contribution) continue;
+        if (contribution->adjustment != nullptr && below == Below::Nothing) {
+            contribution.reset();
+            continue;
+        }
+        // What passes through mixes with what it started from.
+        if (contribution->adjustment != nullptr || layer.pass_through) return;
         const bool neutral =
             (channel == Channel::Occlusion && contribution->mode == BlendMode::Multiply) ||
             (channel == Channel::Normal && contribution->mode == BlendMode::NormalRnm) ||
             (channel == Channel::Height && contribution->mode == BlendMode::HeightAdd);
-        if (neutral || in_group) contribution->mode = BlendMode::Normal;
+        if (neutral || below == Below::Nothing) contribution->mode = BlendMode::Normal;
         return;
     }
 }
@@ -89,12 +104,12 @@ void find_covering(StackTerms& terms, Channel channel) {
     for (LayerTerms& layer : terms) {
         auto& contribution = at(layer.channels, channel);
         if (!contribution) continue;
+        if (contribution->adjustment != nullptr) continue;
         const bool opaque = contribution->source != nullptr ? is_opaque(*contribution->source)
                                                             : covers(layer.children, channel);
         const bool plain =
             contribution->mode == BlendMode::Normal || contribution->mode == BlendMode::Replace;
-        contribution->covers =
-            plain && contribution->weight >= 1.0f && !layer.mask.varies() && opaque;
+        contribution->covers = plain && contribution->weight >= 1.0f && !layer.has_mask() && opaque;
     }
 }
 
@@ -107,25 +122,54 @@ void drop_covered(StackTerms& terms, Channel channel) {
     }
 }
 
-StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers covered, bool in_group);
+StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers covered, Below below);
 
-std::optional<LayerTerms> reduced_layer(const Layer& layer, CoveredLayers covered) {
-    if (!layer.visible) return std::nullopt;
-    LayerTerms terms{.layer = &layer};
-    const float weight = layer.opacity * reduce_mask(layer.mask, terms.mask).value_or(1.0f);
-    if (!(weight > 0.0f)) return std::nullopt;
-    if (const auto* const group = std::get_if<GroupContent>(&layer.content))
-        terms.children = reduced_stack(group->children, covered, true);
-    add_contributions(layer, weight, terms);
-    return terms;
+/// What the layer covers, as far as it is the same in every texel; the rest goes into `mask`.
+float uniform_weight(const Layer& layer, MaskTerm& mask) {
+    if (!layer.visible) return 0.0f;
+    return layer.opacity * reduce_mask(layer.mask, mask).value_or(1.0f);
 }
 
-StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers covered, bool in_group) {
+/// Whether a group that passes through does no more than its children would in its place.
+bool is_transparent(const LayerTerms& terms, float weight) {
+    const auto& channels = terms.layer->channels;
+    return terms.pass_through && weight >= 1.0f && !terms.has_mask() &&
+           std::all_of(channels.begin(), channels.end(), [](const ChannelSettings& settings) {
+               return settings.enabled && settings.opacity >= 1.0f;
+           });
+}
+
+/// Adds the terms of a layer, if it can change anything. `base`: what it is clipped to, or null.
+void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, Below below,
+                 StackTerms& stack) {
+    LayerTerms terms{.layer = &layer};
+    float weight = uniform_weight(layer, terms.mask);
+    if (base != nullptr) weight *= uniform_weight(*base, terms.clip);
+    if (!(weight > 0.0f)) return;
+    terms.pass_through = layer.is_pass_through();
+    if (const auto* const group = std::get_if<GroupContent>(&layer.content)) {
+        const bool whole = is_transparent(terms, weight);
+        const bool on_backdrop = below != Below::Nothing || !stack.empty();
+        const Below inside = terms.pass_through && on_backdrop ? Below::Backdrop : Below::Nothing;
+        terms.children = reduced_stack(group->children, covered, inside);
+        if (whole) {
+            for (LayerTerms& child : terms.children) stack.push_back(std::move(child));
+            return;
+        }
+    }
+    add_contributions(layer, weight, terms);
+    stack.push_back(std::move(terms));
+}
+
+StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers covered, Below below) {
     StackTerms terms;
-    for (const LayerPtr& layer : stack)
-        if (auto reduced = reduced_layer(*layer, covered)) terms.push_back(std::move(*reduced));
+    const Layer* base = nullptr;
+    for (const LayerPtr& layer : stack) {
+        add_reduced(*layer, layer->clipped ? base : nullptr, covered, below, terms);
+        if (!layer->clipped) base = layer.get();
+    }
     for (const ChannelInfo& entry : kChannels) {
-        simplify_lowest(terms, entry.channel, in_group);
+        simplify_lowest(terms, entry.channel, below);
         find_covering(terms, entry.channel);
         if (covered == CoveredLayers::Drop) drop_covered(terms, entry.channel);
     }
@@ -155,6 +199,8 @@ void add_source(Hasher& hasher, const ImageSource& source) {
 void add_source(Hasher& hasher, const ProceduralSource& source) {
     hasher.add(source.kind).add(source.seed).add(source.scale).add(source.octaves);
     hasher.add(source.contrast).add(source.balance);
+    hasher.add(source.width).add(source.softness).add(source.variation);
+    hasher.add(source.aspect).add(source.warp);
     add_transform(hasher, source.transform);
     hasher.add(source.ramp.size());
     for (const RampStop& stop : source.ramp) {
@@ -163,15 +209,38 @@ void add_source(Hasher& hasher, const ProceduralSource& source) {
     }
 }
 
+void add_levels(Hasher& hasher, const Levels& levels) {
+    hasher.add(levels.in_low).add(levels.in_high).add(levels.gamma);
+    hasher.add(levels.out_low).add(levels.out_high);
+}
+
+void add_ramp(Hasher& hasher, const std::vector<RampStop>& ramp) {
+    hasher.add(ramp.size());
+    for (const RampStop& stop : ramp) {
+        hasher.add(stop.position);
+        add_source(hasher, ConstantSource{stop.value});
+    }
+}
+
+void add_adjustment(Hasher& hasher, const AdjustmentSettings& adjustment) {
+    hasher.add(adjustment.kind);
+    add_levels(hasher, adjustment.levels);
+    hasher.add(adjustment.curve.size());
+    for (const CurvePoint& point : adjustment.curve) hasher.add(point.x).add(point.y);
+    hasher.add(adjustment.hue_degrees).add(adjustment.saturation).add(adjustment.lightness);
+    hasher.add(adjustment.brightness).add(adjustment.contrast).add(adjustment.steps);
+    add_ramp(hasher, adjustment.gradient);
+    hasher.add(adjustment.low).add(adjustment.high);
+}
+
 void add_mask(Hasher& hasher, const MaskTerm& mask) {
     hasher.add(mask.entries.size());
     if (!mask.varies()) return;
     hasher.add(mask.begin).add(mask.invert);
     for (const MaskEntry* entry : mask.entries) {
         hasher.add(source_hash(entry->source)).add(entry->combine).add(entry->opacity);
-        const Levels& levels = entry->levels;
-        hasher.add(entry->invert).add(levels.in_low).add(levels.in_high).add(levels.gamma);
-        hasher.add(levels.out_low).add(levels.out_high);
+        hasher.add(entry->invert);
+        add_levels(hasher, entry->levels);
     }
 }
 
@@ -185,7 +254,7 @@ ChannelBits LayerTerms::channel_bits() const {
 }
 
 StackTerms stack_terms(const std::vector<LayerPtr>& stack, CoveredLayers covered) {
-    return reduced_stack(stack, covered, false);
+    return reduced_stack(stack, covered, Below::Bottom);
 }
 
 std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channel channel) {
@@ -198,7 +267,8 @@ std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channe
 bool is_uniform(const StackTerms& terms, Channel channel) {
     const auto uniform = [&](const LayerTerms* layer) {
         const Source* const source = at(layer->channels, channel)->source;
-        if (layer->mask.varies()) return false;
+        if (layer->has_mask()) return false;
+        if (at(layer->channels, channel)->adjustment != nullptr) return true;
         return source == nullptr ? is_uniform(layer->children, channel)
                                  : std::holds_alternative<ConstantSource>(*source);
     };
@@ -216,12 +286,15 @@ Hash128 source_hash(const Source& source) {
 Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels) {
     Hasher hasher;
     add_mask(hasher, terms.mask);
+    add_mask(hasher, terms.clip);
+    hasher.add(terms.pass_through);
     for (const ChannelInfo& entry : kChannels) {
         const auto& contribution = at(terms.channels, entry.channel);
         if (!contribution || (channels & channel_bit(entry.channel)) == 0) continue;
         hasher.add(entry.channel).add(contribution->mode).add(contribution->weight);
         if (is_color(entry.channel)) hasher.add(terms.layer->blend_space);
         if (contribution->source != nullptr) hasher.add(source_hash(*contribution->source));
+        if (contribution->adjustment != nullptr) add_adjustment(hasher, *contribution->adjustment);
     }
     for (const LayerTerms& child : terms.children)
         if ((child.channel_bits() & channels) != 0) hasher.add(layer_hash(child, channels));

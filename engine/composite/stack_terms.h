@@ -15,6 +15,7 @@ namespace patina {
 /// What one layer does to one channel.
 struct Contribution {
     const Source* source = nullptr;  ///< null: what the children of the group accumulated
+    const AdjustmentSettings* adjustment = nullptr;  ///< of what lies below, instead of a source
     BlendMode mode = BlendMode::Normal;
     float weight = 1.0f;  ///< layer opacity x mask, where that is uniform, x channel opacity
     bool covers = false;  ///< replaces all that lies below, in every texel
@@ -31,10 +32,13 @@ struct MaskTerm {
 struct LayerTerms {
     const Layer* layer = nullptr;
     MaskTerm mask = {};
+    MaskTerm clip = {};  ///< that of the layer to which this one is clipped; multiplies the mask
+    bool pass_through = false;  ///< of a group: the children go on from what lies below it
     PerChannel<std::optional<Contribution>> channels = {};
     std::vector<LayerTerms> children = {};  ///< of a group
 
     ChannelBits channel_bits() const;
+    bool has_mask() const { return mask.varies() || clip.varies(); }
 };
 using StackTerms = std::vector<LayerTerms>;
 

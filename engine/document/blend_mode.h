@@ -57,6 +57,7 @@ enum class BlendMode : std::uint8_t {
     HeightMax,
     HeightMin,
     HeightSubtract,
+    PassThrough,
 };
 
 /// For which kinds of channel a mode means something; bits of `1 << ChannelKind`.
@@ -69,6 +70,8 @@ inline constexpr ChannelKinds kColorOrScalar =
 inline constexpr ChannelKinds kColorOnly = kind_bit(ChannelKind::Color);
 inline constexpr ChannelKinds kNormalOnly = kind_bit(ChannelKind::Normal);
 inline constexpr ChannelKinds kHeightOnly = kind_bit(ChannelKind::Height);
+/// Of a group alone: see blends_layer.
+inline constexpr ChannelKinds kNoKind = 0;
 inline constexpr ChannelKinds kAnyKind =
     kColorOrScalar | kind_bit(ChannelKind::Normal) | kind_bit(ChannelKind::Height);
 
@@ -169,6 +172,8 @@ inline constexpr std::array kBlendModes = {
         "The lower of the two."},
     BlendModeInfo{BlendMode::HeightSubtract, "h-subtract", "Subtract", "Height", "height_subtract", kHeightOnly,
         "What lies below less the layer; 0 changes nothing."},
+    BlendModeInfo{BlendMode::PassThrough, "pass-through", "Pass through", "Group", "replaced_premultiplied", kNoKind,
+        "The layers of the group see what lies below it, as if there were no group."},
 };
 // clang-format on
 
@@ -182,6 +187,11 @@ constexpr std::optional<BlendMode> blend_mode_from_id(std::string_view id) {
 }
 constexpr bool applies_to(BlendMode mode, Channel channel) {
     return (info(mode).kinds & kind_bit(info(channel).kind)) != 0;
+}
+
+/// Whether a layer can have the mode for its colours: pass-through is one of groups.
+constexpr bool blends_layer(BlendMode mode, bool group) {
+    return mode == BlendMode::PassThrough ? group : applies_to(mode, Channel::BaseColor);
 }
 
 /// The mode of a channel that states none and has no layer mode that fits: normal for colours,

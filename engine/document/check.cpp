@@ -35,6 +35,11 @@ Status check_part(SourceUse use, const ProceduralSource& source) {
                           check_range(Parameter::ProceduralOctaves, source.octaves),
                           check_range(Parameter::ProceduralContrast, source.contrast),
                           check_range(Parameter::ProceduralBalance, source.balance),
+                          check_range(Parameter::ProceduralWidth, source.width),
+                          check_range(Parameter::ProceduralSoftness, source.softness),
+                          check_range(Parameter::ProceduralVariation, source.variation),
+                          check_range(Parameter::ProceduralAspect, source.aspect),
+                          check_range(Parameter::ProceduralWarp, source.warp),
                           check_transform(source.transform), check_ramp(use, source.ramp)});
 }
 
@@ -59,8 +64,15 @@ Status check_channels(const PerChannel<ChannelSettings>& channels) {
 }
 
 Status check_own_values(const Layer& layer) {
-    if (!applies_to(layer.mode, Channel::BaseColor))
-        return failure("blend mode {} does not apply to colours", info(layer.mode).id);
+    if (!blends_layer(layer.mode, layer.is_group()))
+        return failure(
+            "blend mode {} does not apply to {}", info(layer.mode).id,
+            layer.mode == BlendMode::PassThrough ? "layers that are no group" : "colours");
+    if (const auto* content = std::get_if<AdjustmentContent>(&layer.content)) {
+        if (Status status = check_adjustment(content->adjustment); !status) return status;
+        if (at(layer.channels, Channel::Normal).enabled)
+            return failure("normals cannot be adjusted");
+    }
     return first_failure({check_range(Parameter::LayerOpacity, layer.opacity),
                           check_mask(layer.mask), check_channels(layer.channels)});
 }
@@ -145,6 +157,43 @@ Status check_levels(const Levels& levels) {
     if (levels.in_low <= levels.in_high) return {};
     return failure("levels need black no higher than white, got {} and {}", levels.in_low,
                    levels.in_high);
+}
+
+namespace {
+
+Status check_curve(const std::vector<CurvePoint>& points) {
+    if (points.size() < 2 || points.size() > std::size_t{kMaxCurvePoints})
+        return failure("a curve has 2 to {} points, got {}", kMaxCurvePoints, points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (Status status = first_failure({check_range(Parameter::CurveX, points[i].x),
+                                           check_range(Parameter::CurveY, points[i].y)});
+            !status)
+            return status;
+        if (i > 0 && !(points[i].x > points[i - 1].x))
+            return failure("the points of a curve must ascend: {} comes after {}", points[i].x,
+                           points[i - 1].x);
+    }
+    return {};
+}
+
+}  // namespace
+
+Status check_adjustment(const AdjustmentSettings& adjustment) {
+    const Status status =
+        first_failure({check_levels(adjustment.levels), check_curve(adjustment.curve),
+                       check_range(Parameter::AdjustmentHue, adjustment.hue_degrees),
+                       check_range(Parameter::AdjustmentSaturation, adjustment.saturation),
+                       check_range(Parameter::AdjustmentLightness, adjustment.lightness),
+                       check_range(Parameter::AdjustmentBrightness, adjustment.brightness),
+                       check_range(Parameter::AdjustmentContrast, adjustment.contrast),
+                       check_range(Parameter::AdjustmentSteps, adjustment.steps),
+                       check_ramp(Channel::BaseColor, adjustment.gradient),
+                       check_range(Parameter::AdjustmentLow, adjustment.low),
+                       check_range(Parameter::AdjustmentHigh, adjustment.high)});
+    if (!status) return status;
+    if (adjustment.low <= adjustment.high) return {};
+    return failure("the least value must not exceed the greatest, got {} and {}", adjustment.low,
+                   adjustment.high);
 }
 
 Status check_mask(const Mask& mask) {

@@ -38,9 +38,42 @@ inline constexpr std::array kColorSpaces = {Choice{"srgb", "sRGB"}, Choice{"line
 inline constexpr std::array kChannelPicks = {Choice{"rgb", "RGB"}, Choice{"red", "Red"},
                                              Choice{"green", "Green"}, Choice{"blue", "Blue"},
                                              Choice{"alpha", "Alpha"}};
-inline constexpr std::array kProceduralKinds = {Choice{"value-noise", "Value noise"},
-                                                Choice{"perlin-noise", "Perlin noise"},
-                                                Choice{"worley-noise", "Worley noise"}};
+inline constexpr std::array kProceduralKinds = {
+    Choice{"value-noise", "Value noise"},
+    Choice{"perlin-noise", "Perlin noise"},
+    Choice{"worley-noise", "Worley noise (F1)"},
+    Choice{"simplex-noise", "Simplex noise"},
+    Choice{"ridged-noise", "Ridged noise"},
+    Choice{"turbulence", "Turbulence"},
+    Choice{"worley-f2", "Worley noise (F2)"},
+    Choice{"worley-edges", "Worley noise (F2 - F1)"},
+    Choice{"cells", "Random cells"},
+    Choice{"gradient-linear", "Linear gradient"},
+    Choice{"gradient-radial", "Radial gradient"},
+    Choice{"gradient-angular", "Angular gradient"},
+    Choice{"checker", "Checker"},
+    Choice{"stripes", "Stripes"},
+    Choice{"bricks", "Bricks"},
+    Choice{"tiles", "Tiles"},
+    Choice{"hexagons", "Hexagons"},
+    Choice{"weave", "Weave"},
+    Choice{"spots", "Spots"},
+    Choice{"scratches", "Scratches"},
+    Choice{"cracks", "Cracks"},
+    Choice{"wood-rings", "Wood rings"},
+    Choice{"marble", "Marble"},
+    Choice{"grunge", "Grunge"},
+};
+inline constexpr std::array kAdjustmentKinds = {
+    Choice{"levels", "Levels"},
+    Choice{"curves", "Curves"},
+    Choice{"hue-saturation", "Hue and saturation"},
+    Choice{"brightness-contrast", "Brightness and contrast"},
+    Choice{"invert", "Invert"},
+    Choice{"posterise", "Posterise"},
+    Choice{"gradient-map", "Gradient map"},
+    Choice{"clamp", "Clamp"},
+};
 inline constexpr std::array kLightKinds = {Choice{"directional", "Directional"},
                                            Choice{"point", "Point"}, Choice{"spot", "Spot"}};
 inline constexpr std::array kSampleTypes = {Choice{"u8", "8 bit"}, Choice{"u16", "16 bit"},
@@ -57,6 +90,7 @@ constexpr std::span<const Choice> choices() {
     if constexpr (std::is_same_v<Enumeration, ColorSpace>) return kColorSpaces;
     if constexpr (std::is_same_v<Enumeration, ChannelPick>) return kChannelPicks;
     if constexpr (std::is_same_v<Enumeration, ProceduralKind>) return kProceduralKinds;
+    if constexpr (std::is_same_v<Enumeration, AdjustmentKind>) return kAdjustmentKinds;
     if constexpr (std::is_same_v<Enumeration, Light::Kind>) return kLightKinds;
     if constexpr (std::is_same_v<Enumeration, SampleType>) return kSampleTypes;
 }

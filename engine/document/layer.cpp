@@ -15,6 +15,8 @@ PerChannel<ChannelSettings> default_channels() {
 BlendMode effective_blend_mode(const Layer& layer, Channel channel) {
     const std::optional<BlendMode>& own = at(layer.channels, channel).mode;
     if (own && applies_to(*own, channel)) return *own;
+    // What an adjustment gives is the channel itself, changed: it replaces what was there.
+    if (layer.is_adjustment() && info(channel).kind != ChannelKind::Color) return BlendMode::Normal;
     const bool follows_layer = info(channel).kind == ChannelKind::Color;
     if (follows_layer && applies_to(layer.mode, channel)) return layer.mode;
     return default_blend_mode(channel);

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "document/adjustment.h"
 #include "document/blend_mode.h"
 #include "document/channel.h"
 #include "document/source.h"
@@ -32,16 +33,6 @@ struct MaskEntryId {
 
 /// How a mask entry joins what the entries before it made.
 enum class MaskCombine : std::uint8_t { Replace, Multiply, Add, Subtract, Lighten, Darken };
-
-/// in_low..in_high is stretched to 0..1, raised to 1/gamma, and put into out_low..out_high.
-struct Levels {
-    float in_low = 0.0f;
-    float in_high = 1.0f;
-    float gamma = 1.0f;  ///< 0.1 to 10
-    float out_low = 0.0f;
-    float out_high = 1.0f;
-    bool operator==(const Levels&) const = default;
-};
 
 struct MaskEntry {
     MaskEntryId id = {};
@@ -88,19 +79,27 @@ struct FillContent {
     bool operator==(const FillContent&) const = default;
 };
 /// Children bottom to top. An isolated group is composited by itself from transparent and then
-/// laid on as one source.
+/// laid on as one source; one whose mode is pass-through goes on from what lies below it.
 struct GroupContent {
     std::vector<LayerPtr> children = {};
     bool open = true;  ///< unfolded in the layer list
     bool operator==(const GroupContent&) const = default;
 };
-using LayerContent = std::variant<FillContent, GroupContent>;
+/// Changes what lies below in its own stack, in the channels that are on.
+struct AdjustmentContent {
+    AdjustmentSettings adjustment = {};
+    bool operator==(const AdjustmentContent&) const = default;
+};
+using LayerContent = std::variant<FillContent, GroupContent, AdjustmentContent>;
 
 struct Layer {
     LayerId id = {};
     std::string name = {};
     bool visible = true;
     bool locked = false;
+    /// Only where the next layer below that is not clipped covers: weight times that one's opacity
+    /// and mask. Hidden with it; alone at the bottom of a stack it makes no difference.
+    bool clipped = false;
     float opacity = 1.0f;                ///< 0 to 1
     BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own
     BlendSpace blend_space = BlendSpace::Linear;
@@ -109,6 +108,8 @@ struct Layer {
     LayerContent content = FillContent{};
 
     bool is_group() const { return std::holds_alternative<GroupContent>(content); }
+    bool is_adjustment() const { return std::holds_alternative<AdjustmentContent>(content); }
+    bool is_pass_through() const { return is_group() && mode == BlendMode::PassThrough; }
     /// Compares children by identity: equal means equal content, unequal may still be equal.
     bool operator==(const Layer&) const = default;
 };

@@ -157,6 +157,13 @@ Layer procedural_layer(ProceduralKind kind) {
     return layer;
 }
 
+Layer adjustment_layer(AdjustmentKind kind) {
+    Layer layer = fill_named(choice(kind).label);
+    layer.blend_space = BlendSpace::SrgbEncoded;
+    layer.content = AdjustmentContent{{.kind = kind}};
+    return layer;
+}
+
 Layer group_layer() {
     Layer layer;
     layer.name = "Group";
@@ -298,12 +305,38 @@ Edit set_layer_opacity(const Material& material, const Layer& layer, float opaci
                       });
 }
 
+Edit set_layer_clipped(const Material& material, const Layer& layer, bool clipped) {
+    return layer_edit(material, layer, (clipped ? "Clip " : "Unclip ") + layer.name, {},
+                      OwnLock::Respected, [clipped](Layer& copy) -> Status {
+                          copy.clipped = clipped;
+                          return {};
+                      });
+}
+
+Edit set_adjustment(const Material& material, const Layer& layer,
+                    const AdjustmentSettings& adjustment, Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    const bool merges = row.kind != ParameterKind::Choice;
+    return layer_edit(
+        material, layer, fmt::format("{} of {}", row.label, layer.name),
+        merges ? MergeKey{fmt::format("adjustment.{}", row.id), layer.id.value} : MergeKey{},
+        OwnLock::Respected, [adjustment](Layer& copy) -> Status {
+            auto* content = std::get_if<AdjustmentContent>(&copy.content);
+            if (!content)
+                return failure("{} is not an adjustment", quoted_for_message(copy.name, 80));
+            content->adjustment = adjustment;
+            return check_adjustment(adjustment);
+        });
+}
+
 Edit set_layer_mode(const Material& material, const Layer& layer, BlendMode mode) {
     return layer_edit(material, layer, "Blend mode of " + layer.name, {}, OwnLock::Respected,
                       [mode](Layer& copy) -> Status {
-                          if (!applies_to(mode, Channel::BaseColor))
-                              return failure("blend mode {} does not apply to colours",
-                                             info(mode).label);
+                          if (!blends_layer(mode, copy.is_group()))
+                              return failure("blend mode {} does not apply to {}", info(mode).label,
+                                             mode == BlendMode::PassThrough
+                                                 ? "layers that are no group"
+                                                 : "colours");
                           copy.mode = mode;
                           return {};
                       });
@@ -335,6 +368,8 @@ Edit set_channel_enabled(const Material& material, const Layer& layer, Channel c
         material, layer,
         fmt::format("{} {} of {}", info(channel).label, enabled ? "on" : "off", layer.name), {},
         OwnLock::Respected, [channel, enabled](Layer& copy) -> Status {
+            if (enabled && copy.is_adjustment() && channel == Channel::Normal)
+                return failure("normals cannot be adjusted");
             at(copy.channels, channel).enabled = enabled;
             return {};
         });

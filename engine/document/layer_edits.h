@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "document/edit.h"
+#include "document/parameters.h"
 
 namespace patina {
 
@@ -50,6 +51,9 @@ Layer value_layer();
 Layer image_layer(const ImageAsset& image);
 /// A fill whose base colour is a noise from black to white.
 Layer procedural_layer(ProceduralKind kind);
+/// An adjustment of the colours below, which changes nothing yet; blends in sRGB-encoded values, as
+/// raster editors adjust.
+Layer adjustment_layer(AdjustmentKind kind);
 /// An empty isolated group that lays on all channels of its children.
 Layer group_layer();
 
@@ -82,7 +86,13 @@ Edit set_layer_visible(const Material& material, const Layer& layer, bool visibl
 Edit set_layer_locked(const Material& material, const Layer& layer, bool locked);
 /// 0 to 1.
 Edit set_layer_opacity(const Material& material, const Layer& layer, float opacity);
-/// A mode that applies to colours.
+/// Clips a layer to the next one below that is not clipped.
+Edit set_layer_clipped(const Material& material, const Layer& layer, bool clipped);
+/// Puts a whole adjustment in the place of the layer's. `parameter`: what is being changed, for the
+/// label; drags of one parameter merge.
+Edit set_adjustment(const Material& material, const Layer& layer,
+                    const AdjustmentSettings& adjustment, Parameter parameter);
+/// A mode that applies to colours; for a group pass-through as well.
 Edit set_layer_mode(const Material& material, const Layer& layer, BlendMode mode);
 Edit set_layer_blend_space(const Material& material, const Layer& layer, BlendSpace space);
 /// Folds and unfolds a group in the layer list. Allowed on locked layers.

@@ -75,13 +75,14 @@ ImageSource read_image(JsonObject& object) {
     return source;
 }
 
-std::vector<RampStop> read_ramp(SourceUse use, JsonObject& parent) {
-    const Json* json = parent.find("ramp");
-    if (!json) return ProceduralSource{}.ramp;
+std::vector<RampStop> read_ramp(SourceUse use, JsonObject& parent, std::string_view key,
+                                const std::vector<RampStop>& standard) {
+    const Json* json = parent.find(key);
+    if (!json) return standard;
     std::vector<RampStop> stops;
-    const std::string pointer = parent.pointer_to("ramp");
+    const std::string pointer = parent.pointer_to(key);
     if (!json->is_array() || json->empty() || json->size() > std::size_t{kMaxRampStops}) {
-        parent.fault("ramp", fmt::format("is not a list of 1 to {} stops", kMaxRampStops));
+        parent.fault(key, fmt::format("is not a list of 1 to {} stops", kMaxRampStops));
         return stops;
     }
     for (std::size_t i = 0; i < json->size(); ++i) {
@@ -109,8 +110,13 @@ ProceduralSource read_procedural(SourceUse use, ProceduralKind kind, JsonObject&
                        static_cast<std::int64_t>(octaves.maximum), source.octaves));
     source.contrast = object.number("contrast", Parameter::ProceduralContrast, source.contrast);
     source.balance = object.number("balance", Parameter::ProceduralBalance, source.balance);
+    source.width = object.number("width", Parameter::ProceduralWidth, source.width);
+    source.softness = object.number("softness", Parameter::ProceduralSoftness, source.softness);
+    source.variation = object.number("variation", Parameter::ProceduralVariation, source.variation);
+    source.aspect = object.number("aspect", Parameter::ProceduralAspect, source.aspect);
+    source.warp = object.number("warp", Parameter::ProceduralWarp, source.warp);
     source.transform = read_transform(object);
-    source.ramp = read_ramp(use, object);
+    source.ramp = read_ramp(use, object, "ramp", source.ramp);
     return source;
 }
 
@@ -149,6 +155,49 @@ Levels read_levels(JsonObject& parent) {
     object.finish();
     note(check_levels(levels), object.pointer(), object.faults());
     return levels;
+}
+
+std::vector<CurvePoint> read_curve(JsonObject& parent) {
+    const Json* json = parent.find("curve");
+    if (!json) return AdjustmentSettings{}.curve;
+    std::vector<CurvePoint> points;
+    const std::string pointer = parent.pointer_to("curve");
+    if (!json->is_array() || json->size() < 2 || json->size() > std::size_t{kMaxCurvePoints}) {
+        parent.fault("curve", fmt::format("is not a list of 2 to {} points", kMaxCurvePoints));
+        return points;
+    }
+    for (std::size_t i = 0; i < json->size(); ++i) {
+        JsonObject object((*json)[i], fmt::format("{}/{}", pointer, i), parent.faults());
+        object.require("x");
+        object.require("y");
+        const float x = object.number("x", Parameter::CurveX, 0.0f);
+        points.push_back({x, object.number("y", Parameter::CurveY, 0.0f)});
+        object.finish();
+    }
+    return points;
+}
+
+AdjustmentSettings read_adjustment(JsonObject& parent) {
+    AdjustmentSettings read;
+    const Json* json = parent.require("adjustment");
+    if (!json) return read;
+    JsonObject object(*json, parent.pointer_to("adjustment"), parent.faults());
+    object.require("kind");
+    read.kind = object.choice("kind", read.kind);
+    read.levels = read_levels(object);
+    read.curve = read_curve(object);
+    read.hue_degrees = object.number("hue", Parameter::AdjustmentHue, read.hue_degrees);
+    read.saturation = object.number("saturation", Parameter::AdjustmentSaturation, read.saturation);
+    read.lightness = object.number("lightness", Parameter::AdjustmentLightness, read.lightness);
+    read.brightness = object.number("brightness", Parameter::AdjustmentBrightness, read.brightness);
+    read.contrast = object.number("contrast", Parameter::AdjustmentContrast, read.contrast);
+    read.steps = static_cast<int>(object.integer("steps", 2, 64, read.steps));
+    read.gradient = read_ramp(Channel::BaseColor, object, "gradient", read.gradient);
+    read.low = object.number("low", Parameter::AdjustmentLow, read.low);
+    read.high = object.number("high", Parameter::AdjustmentHigh, read.high);
+    object.finish();
+    note(check_adjustment(read), object.pointer(), object.faults());
+    return read;
 }
 
 MaskEntry read_entry(const Json& json, const std::string& pointer, JsonFaults& faults) {
@@ -249,17 +298,24 @@ class LayerReader {
         layer.id.value = static_cast<std::uint64_t>(object.integer("id", 1, kLargestId, 0));
         layer.name = read_name(object);
         const std::string kind = object.text("kind", "fill");
-        if (kind != "fill" && kind != "group") object.fault("kind", "is neither fill nor group");
+        if (kind != "fill" && kind != "group" && kind != "adjustment")
+            object.fault("kind", "is neither fill, group nor adjustment");
         layer.visible = object.boolean("visible", layer.visible);
         layer.locked = object.boolean("locked", layer.locked);
+        layer.clipped = object.boolean("clipped", layer.clipped);
         layer.opacity = object.number("opacity", Parameter::LayerOpacity, layer.opacity);
         layer.mode = read_mode(object).value_or(layer.mode);
-        if (!applies_to(layer.mode, Channel::BaseColor))
+        if (!blends_layer(layer.mode, kind == "group"))
             object.fault("mode", "does not apply to colours");
         layer.blend_space = object.choice("blend-space", layer.blend_space);
         layer.channels = read_channels(object, kind == "group");
         layer.mask = read_mask(object);
         if (kind == "group") layer.content = read_group(object, depth);
+        if (kind == "adjustment") {
+            layer.content = AdjustmentContent{read_adjustment(object)};
+            if (at(layer.channels, Channel::Normal).enabled)
+                object.fault("channels", "adjusts normals, which cannot be adjusted");
+        }
         object.finish();
         return layer;
     }

@@ -80,6 +80,11 @@ Json part_to_json(SourceUse use, const ProceduralSource& source) {
     add_unless(json, "octaves", source.octaves, standard.octaves);
     add_unless(json, "contrast", source.contrast, standard.contrast);
     add_unless(json, "balance", source.balance, standard.balance);
+    add_unless(json, "width", source.width, standard.width);
+    add_unless(json, "softness", source.softness, standard.softness);
+    add_unless(json, "variation", source.variation, standard.variation);
+    add_unless(json, "aspect", source.aspect, standard.aspect);
+    add_unless(json, "warp", source.warp, standard.warp);
     add_transform(json, source.transform);
     if (Json ramp = ramp_to_json(use, source.ramp); ramp != ramp_to_json(use, standard.ramp))
         json["ramp"] = std::move(ramp);
@@ -99,6 +104,34 @@ Json levels_to_json(const Levels& levels) {
     add_unless(json, "out-low", levels.out_low, standard.out_low);
     add_unless(json, "out-high", levels.out_high, standard.out_high);
     return json;
+}
+
+Json adjustment_to_json(const AdjustmentSettings& adjustment) {
+    const AdjustmentSettings standard;
+    Json json = {{"kind", choice(adjustment.kind).id}};
+    if (adjustment.levels != standard.levels) json["levels"] = levels_to_json(adjustment.levels);
+    if (adjustment.curve != standard.curve) {
+        Json points = Json::array();
+        for (const CurvePoint& point : adjustment.curve)
+            points.push_back({{"x", json_of(point.x)}, {"y", json_of(point.y)}});
+        json["curve"] = std::move(points);
+    }
+    add_unless(json, "hue", adjustment.hue_degrees, standard.hue_degrees);
+    add_unless(json, "saturation", adjustment.saturation, standard.saturation);
+    add_unless(json, "lightness", adjustment.lightness, standard.lightness);
+    add_unless(json, "brightness", adjustment.brightness, standard.brightness);
+    add_unless(json, "contrast", adjustment.contrast, standard.contrast);
+    add_unless(json, "steps", adjustment.steps, standard.steps);
+    if (adjustment.gradient != standard.gradient)
+        json["gradient"] = ramp_to_json(Channel::BaseColor, adjustment.gradient);
+    add_unless(json, "low", adjustment.low, standard.low);
+    add_unless(json, "high", adjustment.high, standard.high);
+    return json;
+}
+
+std::string_view kind_of(const Layer& layer) {
+    if (layer.is_adjustment()) return "adjustment";
+    return layer.is_group() ? "group" : "fill";
 }
 
 Json entry_to_json(const MaskEntry& entry, JsonIds ids) {
@@ -128,7 +161,10 @@ Json mask_to_json(const Mask& mask, JsonIds ids) {
     return json;
 }
 
-Json channels_to_json(const PerChannel<ChannelSettings>& channels, bool of_group) {
+Json channels_to_json(const Layer& layer) {
+    const PerChannel<ChannelSettings>& channels = layer.channels;
+    const bool of_group = layer.is_group();
+    const bool of_fill = !of_group && !layer.is_adjustment();
     const PerChannel<ChannelSettings> standards = default_channels();
     Json json = Json::object();
     for (const ChannelInfo& row : kChannels) {
@@ -140,7 +176,7 @@ Json channels_to_json(const PerChannel<ChannelSettings>& channels, bool of_group
         if (!settings.enabled) part["enabled"] = false;
         const bool has_source = settings.source != standard.source;
         // A fill's channel that is on says its value, be it the standard one, for whoever reads it.
-        if (has_source || (settings.enabled && !of_group))
+        if (has_source || (settings.enabled && of_fill))
             part["source"] = source_to_json(row.channel, settings.source);
         if (settings.mode) part["mode"] = info(*settings.mode).id;
         add_unless(part, "opacity", settings.opacity, standard.opacity);
@@ -154,19 +190,22 @@ Json layer_to_json(const Layer& layer, JsonIds ids) {
     Json json = Json::object();
     if (ids == JsonIds::Kept) json["id"] = layer.id.value;
     json["name"] = layer.name;
-    json["kind"] = layer.is_group() ? "group" : "fill";
+    json["kind"] = kind_of(layer);
     add_unless(json, "visible", layer.visible, standard.visible);
     add_unless(json, "locked", layer.locked, standard.locked);
+    add_unless(json, "clipped", layer.clipped, standard.clipped);
     add_unless(json, "opacity", layer.opacity, standard.opacity);
     if (layer.mode != standard.mode) json["mode"] = info(layer.mode).id;
     add_choice_unless(json, "blend-space", layer.blend_space, standard.blend_space);
-    if (Json channels = channels_to_json(layer.channels, layer.is_group()); !channels.empty())
+    if (Json channels = channels_to_json(layer); !channels.empty())
         json["channels"] = std::move(channels);
     if (Json mask = mask_to_json(layer.mask, ids); !mask.empty()) json["mask"] = std::move(mask);
     if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
         add_unless(json, "open", group->open, GroupContent{}.open);
         json["layers"] = layers_to_json(group->children, ids);
     }
+    if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
+        json["adjustment"] = adjustment_to_json(content->adjustment);
     return json;
 }
 

@@ -28,7 +28,8 @@ enum class Subject : std::uint8_t {
     Procedural,   ///< a procedural source
     Mask,
     MaskEntry,
-    Levels,  ///< of a mask entry
+    Levels,  ///< of a mask entry or an adjustment
+    Adjustment,
     Material,
     Environment,
     Light,
@@ -48,6 +49,7 @@ enum class Parameter : std::uint8_t {
     LayerName,
     LayerVisible,
     LayerLocked,
+    LayerClipped,
     LayerOpacity,
     LayerMode,
     LayerBlendSpace,
@@ -84,6 +86,11 @@ enum class Parameter : std::uint8_t {
     ProceduralOctaves,
     ProceduralContrast,
     ProceduralBalance,
+    ProceduralWidth,
+    ProceduralSoftness,
+    ProceduralVariation,
+    ProceduralAspect,
+    ProceduralWarp,
     RampPosition,
 
     MaskEnabled,
@@ -101,6 +108,18 @@ enum class Parameter : std::uint8_t {
     LevelsGamma,
     LevelsOutLow,
     LevelsOutHigh,
+
+    AdjustmentKindChoice,
+    AdjustmentHue,
+    AdjustmentSaturation,
+    AdjustmentLightness,
+    AdjustmentBrightness,
+    AdjustmentContrast,
+    AdjustmentSteps,
+    AdjustmentLow,
+    AdjustmentHigh,
+    CurveX,
+    CurveY,
 
     MaterialName,
     MaterialResolution,

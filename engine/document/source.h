@@ -55,7 +55,33 @@ struct ImageSource {
     bool operator==(const ImageSource&) const = default;
 };
 
-enum class ProceduralKind : std::uint8_t { ValueNoise, PerlinNoise, WorleyNoise };
+/// In the order of NOISE_... and PATTERN_... of shaders/shared/noise.glsl and pattern.glsl.
+enum class ProceduralKind : std::uint8_t {
+    ValueNoise,
+    PerlinNoise,
+    WorleyNoise,
+    SimplexNoise,
+    RidgedNoise,
+    Turbulence,
+    WorleyF2,
+    WorleyEdges,
+    Cells,
+    GradientLinear,
+    GradientRadial,
+    GradientAngular,
+    Checker,
+    Stripes,
+    Bricks,
+    Tiles,
+    Hexagons,
+    Weave,
+    Spots,
+    Scratches,
+    Cracks,
+    WoodRings,
+    Marble,
+    Grunge,
+};
 
 struct RampStop {
     float position = 0.0f;              ///< 0 to 1
@@ -64,15 +90,21 @@ struct RampStop {
 };
 inline constexpr int kMaxRampStops = 8;
 
-/// Noise in 0..1, with contrast, mapped through a ramp. Tiles at every whole `scale`; others are
-/// rounded to the next whole number of cells.
+/// A noise or pattern in 0..1, with contrast, mapped through a ramp. Tiles at every whole `scale`;
+/// others are rounded to the next whole number of cells. Which of the numbers a kind looks at, its
+/// row in procedural_kinds.h says.
 struct ProceduralSource {
     ProceduralKind kind = ProceduralKind::PerlinNoise;
     std::uint32_t seed = 0;
-    float scale = 8.0f;     ///< cells across the texture, 1 to 512
-    int octaves = 4;        ///< 1 to 10
-    float contrast = 0.0f;  ///< -1 to 1; 0 leaves the noise, 1 is a threshold at the balance
-    float balance = 0.5f;   ///< 0 to 1; the value that contrast leaves unchanged
+    float scale = 8.0f;      ///< cells across the texture, 1 to 512
+    int octaves = 4;         ///< 1 to 10
+    float width = 0.5f;      ///< 0 to 1: of stripes, gaps, spots, scratches, cracks, veins
+    float softness = 0.1f;   ///< 0 to 1: of edges, in cells
+    float variation = 0.5f;  ///< 0 to 1: how far one cell differs from the next
+    float aspect = 2.0f;     ///< 0.25 to 16: how much longer a brick is than high
+    float warp = 0.0f;       ///< 0 to 1: how far a noise bends the pattern, in cells
+    float contrast = 0.0f;   ///< -1 to 1; 0 leaves the noise, 1 is a threshold at the balance
+    float balance = 0.5f;    ///< 0 to 1; the value that contrast leaves unchanged
     UvTransform transform = {};
     std::vector<RampStop> ramp = {{0.0f, glm::vec3(0.0f)},
                                   {1.0f, glm::vec3(1.0f)}};  ///< 1 to 8, ascending

@@ -182,6 +182,27 @@ Edit set_procedural_balance(const SourcePlace& place, float balance) {
     return member_edit(place, Parameter::ProceduralBalance, &ProceduralSource::balance, balance);
 }
 
+Edit set_procedural_width(const SourcePlace& place, float width) {
+    return member_edit(place, Parameter::ProceduralWidth, &ProceduralSource::width, width);
+}
+
+Edit set_procedural_softness(const SourcePlace& place, float softness) {
+    return member_edit(place, Parameter::ProceduralSoftness, &ProceduralSource::softness, softness);
+}
+
+Edit set_procedural_variation(const SourcePlace& place, float variation) {
+    return member_edit(place, Parameter::ProceduralVariation, &ProceduralSource::variation,
+                       variation);
+}
+
+Edit set_procedural_aspect(const SourcePlace& place, float aspect) {
+    return member_edit(place, Parameter::ProceduralAspect, &ProceduralSource::aspect, aspect);
+}
+
+Edit set_procedural_warp(const SourcePlace& place, float warp) {
+    return member_edit(place, Parameter::ProceduralWarp, &ProceduralSource::warp, warp);
+}
+
 Edit set_ramp(const SourcePlace& place, std::vector<RampStop> stops) {
     return source_edit(
         place, label_of(place, "Ramp"), {},

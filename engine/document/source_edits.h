@@ -39,6 +39,11 @@ Edit set_procedural_scale(const SourcePlace& place, float scale);
 Edit set_procedural_octaves(const SourcePlace& place, int octaves);
 Edit set_procedural_contrast(const SourcePlace& place, float contrast);
 Edit set_procedural_balance(const SourcePlace& place, float balance);
+Edit set_procedural_width(const SourcePlace& place, float width);
+Edit set_procedural_softness(const SourcePlace& place, float softness);
+Edit set_procedural_variation(const SourcePlace& place, float variation);
+Edit set_procedural_aspect(const SourcePlace& place, float aspect);
+Edit set_procedural_warp(const SourcePlace& place, float warp);
 /// All stops at once: 1 to kMaxRampStops, positions 0 to 1 and ascending, values as in
 /// set_constant.
 Edit set_ramp(const SourcePlace& place, std::vector<RampStop> stops);

@@ -10,6 +10,12 @@
 const int NOISE_VALUE = 0;
 const int NOISE_PERLIN = 1;
 const int NOISE_WORLEY = 2;
+const int NOISE_SIMPLEX = 3;
+const int NOISE_RIDGED = 4;
+const int NOISE_TURBULENCE = 5;
+const int NOISE_WORLEY_F2 = 6;
+const int NOISE_WORLEY_EDGES = 7;
+const int NOISE_CELLS = 8;
 
 /// A cell coordinate wrapped into 0..period-1, for `cell` a whole number.
 Int wrapped_cell(Real cell, int period) {
@@ -94,14 +100,15 @@ Real gradient_product(Uint hash, Real x, Real y) {
     return gx * x + gy * y;
 }
 
-/// Perlin's gradient noise. 0.5 at every lattice point; range 0..1, mean 0.5.
+/// Perlin's gradient noise. 0.5 at every lattice point; range 0..1, mean 0.5. It may tile after
+/// different numbers of cells in x and in y.
 /// Ken Perlin, "An image synthesizer", SIGGRAPH 1985, with the fade of 2002.
-Real perlin_noise(Real2 position, int period, uint seed) {
+Real perlin_noise_xy(Real2 position, int period_x, int period_y, uint seed) {
     Real2 cell = floor(position);
-    Int x0 = wrapped_cell(cell.x, period);
-    Int y0 = wrapped_cell(cell.y, period);
-    Int x1 = next_cell(x0, period);
-    Int y1 = next_cell(y0, period);
+    Int x0 = wrapped_cell(cell.x, period_x);
+    Int y0 = wrapped_cell(cell.y, period_y);
+    Int x1 = next_cell(x0, period_x);
+    Int y1 = next_cell(y0, period_y);
     Real x = position.x - cell.x;
     Real y = position.y - cell.y;
     Real u = quintic_fade(x);
@@ -114,6 +121,49 @@ Real perlin_noise(Real2 position, int period, uint seed) {
     Real bottom = n01 + (n11 - n01) * u;
     // Unit gradients give at most sqrt(1/2), in the middle of a cell.
     return clamp(0.5f + 0.707106781f * (top + (bottom - top) * v), 0.0f, 1.0f);
+}
+
+/// Perlin's noise with the same period in x and in y.
+Real perlin_noise(Real2 position, int period, uint seed) {
+    return perlin_noise_xy(position, period, period, seed);
+}
+
+/// What a corner of a simplex adds: its gradient's slope, fading to nothing 0.9 cells away.
+/// twice_x: twice the corner's x, which is whole; x, y: from the corner.
+Real simplex_corner(Real twice_x, Real corner_y, int period, int period_y, uint seed, Real x,
+                    Real y) {
+    Uint hash =
+        lattice_hash(wrapped_cell(twice_x, 2 * period), wrapped_cell(corner_y, period_y), seed);
+    Real reach = max(0.8f - x * x - y * y, 0.0f);
+    reach = reach * reach;
+    return reach * reach * gradient_product(hash, x, y);
+}
+
+/// Simplex noise: gradients at the corners of triangles, so that no axis stands out. Range 0..1,
+/// mean 0.5. Tiles at every period: rows of triangles are a little stretched to be even in number.
+/// Stefan Gustavson and Ian McEwan, "Tiling simplex noise and flow noise in two and three
+/// dimensions", JCGT 2022 (the lattice of psrdnoise).
+Real simplex_noise(Real2 position, int period, uint seed) {
+    int period_y = period + (period & 1);
+    Real px = position.x;
+    Real py = position.y * (float(period_y) / float(period));
+    // The lattice, sheared to squares.
+    Real sx = px + 0.5f * py;
+    Real ix = floor(sx);
+    Real iy = floor(py);
+    Real fx = sx - ix;
+    Real fy = py - iy;
+    Real right = select(fx >= fy, Real(1.0f), Real(0.0f));  // which of the two triangles
+    Real x0 = ix - 0.5f * iy;
+    Real x1 = x0 + right - 0.5f * (1.0f - right);
+    Real y1 = iy + (1.0f - right);
+    Real x2 = x0 + 0.5f;
+    Real y2 = iy + 1.0f;
+    Real sum = simplex_corner(2.0f * x0, iy, period, period_y, seed, px - x0, py - iy) +
+               simplex_corner(2.0f * x1, y1, period, period_y, seed, px - x1, py - y1) +
+               simplex_corner(2.0f * x2, y2, period, period_y, seed, px - x2, py - y2);
+    // 10.9 brings the sum to -1..1 (psrdnoise).
+    return clamp(0.5f + 5.45f * sum, 0.0f, 1.0f);
 }
 
 /// The squared distance from (x, y) within a cell to the feature point of the cell at `offset`.
@@ -149,16 +199,121 @@ Real worley_noise(Real2 position, int period, uint seed) {
     return min(sqrt(min(min(above, here), below)), 1.0f);
 }
 
+/// The two nearest feature points: their distances, and the number and place of each.
+struct Features {
+    Real first;   // squared distance
+    Real second;  // of the next one
+    Uint first_hash;
+    Uint second_hash;
+    Real first_x, first_y;  // from the sought point
+    Real second_x, second_y;
+};
+
+/// Takes the feature point of one cell in; x, y: from the sought point to the cell's corner.
+Features with_feature(Features near, Int cell_x, Int cell_y, uint seed, Real x, Real y) {
+    Uint hash = lattice_hash(cell_x, cell_y, seed);
+    Real dx = Real(Int(hash >> 16)) * 1.52587890625e-5f + x;  // 2^-16
+    Real dy = Real(Int(hash & 0xffffu)) * 1.52587890625e-5f + y;
+    Real distance = dx * dx + dy * dy;
+    Bool is_first = distance < near.first;
+    Bool is_second = distance < near.second;
+    Features next;
+    next.second = select(is_first, near.first, select(is_second, distance, near.second));
+    next.second_hash =
+        select(is_first, near.first_hash, select(is_second, hash, near.second_hash));
+    next.second_x = select(is_first, near.first_x, select(is_second, dx, near.second_x));
+    next.second_y = select(is_first, near.first_y, select(is_second, dy, near.second_y));
+    next.first = select(is_first, distance, near.first);
+    next.first_hash = select(is_first, hash, near.first_hash);
+    next.first_x = select(is_first, dx, near.first_x);
+    next.first_y = select(is_first, dy, near.first_y);
+    return next;
+}
+
+/// The two nearest feature points of Worley's noise among the 3 x 3 cells around.
+Features nearest_features(Real2 position, int period, uint seed) {
+    Real2 cell = floor(position);
+    Int x1 = wrapped_cell(cell.x, period);
+    Int y1 = wrapped_cell(cell.y, period);
+    Int x0 = previous_cell(x1, period);
+    Int x2 = next_cell(x1, period);
+    Int y0 = previous_cell(y1, period);
+    Int y2 = next_cell(y1, period);
+    Real x = cell.x - position.x;
+    Real y = cell.y - position.y;
+    Features near;
+    near.first = near.second = Real(100.0f);
+    near.first_hash = near.second_hash = Uint(0u);
+    near.first_x = near.first_y = near.second_x = near.second_y = Real(0.0f);
+    near = with_feature(near, x1, y1, seed, x, y);
+    near = with_feature(near, x0, y1, seed, x - 1.0f, y);
+    near = with_feature(near, x2, y1, seed, x + 1.0f, y);
+    near = with_feature(near, x1, y0, seed, x, y - 1.0f);
+    near = with_feature(near, x1, y2, seed, x, y + 1.0f);
+    near = with_feature(near, x0, y0, seed, x - 1.0f, y - 1.0f);
+    near = with_feature(near, x2, y0, seed, x + 1.0f, y - 1.0f);
+    near = with_feature(near, x0, y2, seed, x - 1.0f, y + 1.0f);
+    return with_feature(near, x2, y2, seed, x + 1.0f, y + 1.0f);
+}
+
+/// The distance from the sought point to the border between the cells of the two nearest feature
+/// points: to the line that is as far from one as from the other. 0 on every border.
+Real feature_border_distance(Features near) {
+    Real dx = near.second_x - near.first_x;
+    Real dy = near.second_y - near.first_y;
+    return 0.5f * (near.second - near.first) * inversesqrt(max(dx * dx + dy * dy, 1e-8f));
+}
+
+/// Worley noise F2: the distance to the second nearest feature point, held to 1. Range 0..1.
+Real worley_noise_f2(Real2 position, int period, uint seed) {
+    return min(sqrt(nearest_features(position, period, seed).second), 1.0f);
+}
+
+/// Worley noise F2 - F1: 0 on the borders of the cells. Range 0..1. Distances are held to 1 first,
+/// beyond which the 3 x 3 cells do not say which point is the second nearest.
+Real worley_noise_edges(Real2 position, int period, uint seed) {
+    Features near = nearest_features(position, period, seed);
+    return min(sqrt(near.second), 1.0f) - min(sqrt(near.first), 1.0f);
+}
+
+/// A random number for each cell of Worley's noise, 0..1, mean 0.5. Borders are as soft as the
+/// footprint (the width of a texel in cells), where two cells share a texel.
+Real cell_noise(Real2 position, int period, uint seed, float footprint) {
+    Features near = nearest_features(position, period, seed);
+    Real own = unit_from_hash(near.first_hash * 0x9e3779b1u);
+    Real next = unit_from_hash(near.second_hash * 0x9e3779b1u);
+    Real share = clamp(0.5f - feature_border_distance(near) / max(footprint, 1e-4f), 0.0f, 0.5f);
+    return mix(own, next, share);
+}
+
+/// How far a noise of 0..1 is from its middle, 0..1: the octaves of turbulence (Perlin, 1985).
+Real folded(Real noise) {
+    return abs(noise + noise - 1.0f);
+}
+
 /// The noise of a kind NOISE_...
-Real noise(int kind, Real2 position, int period, uint seed) {
+Real noise(int kind, Real2 position, int period, uint seed, float footprint) {
     if (kind == NOISE_VALUE) return value_noise(position, period, seed);
     if (kind == NOISE_PERLIN) return perlin_noise(position, period, seed);
-    return worley_noise(position, period, seed);
+    if (kind == NOISE_WORLEY) return worley_noise(position, period, seed);
+    if (kind == NOISE_SIMPLEX) return simplex_noise(position, period, seed);
+    if (kind == NOISE_TURBULENCE) return folded(perlin_noise(position, period, seed));
+    if (kind == NOISE_WORLEY_F2) return worley_noise_f2(position, period, seed);
+    if (kind == NOISE_WORLEY_EDGES) return worley_noise_edges(position, period, seed);
+    if (kind == NOISE_CELLS) return cell_noise(position, period, seed, footprint);
+    // Ridges: F. Kenton Musgrave, in "Texturing and Modeling", 1994, without the feedback.
+    Real ridge = 1.0f - folded(perlin_noise(position, period, seed));
+    return ridge * ridge;
 }
 
 /// The mean of a kind of noise, to which detail fades that is too small to be shown.
 float noise_mean(int kind) {
-    return kind == NOISE_WORLEY ? 0.4295f : 0.5f;
+    if (kind == NOISE_WORLEY) return 0.4295f;
+    if (kind == NOISE_RIDGED) return 0.595f;
+    if (kind == NOISE_TURBULENCE) return 0.2487f;
+    if (kind == NOISE_WORLEY_F2) return 0.6958f;
+    if (kind == NOISE_WORLEY_EDGES) return 0.266f;
+    return 0.5f;
 }
 
 /// How much of an octave is shown when a texel is `footprint` cells wide: all while a cell covers
@@ -183,7 +338,8 @@ Real fbm(int kind, Real2 position, int period, uint seed, int octaves, float gai
         float mean = noise_mean(kind);
         if (shown > 0.0f) {
             Real value =
-                noise(kind, position * frequency, period << octave, derived_seed(seed, octave));
+                noise(kind, position * frequency, period << octave, derived_seed(seed, octave),
+                      footprint * frequency);
             sum = sum + shown * (value - mean);
         }
         total = total + strength;

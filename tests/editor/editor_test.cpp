@@ -29,9 +29,9 @@ TEST_F(EditorTest, WhatIsLayeredMaskedSavedAndReopenedIsWhatWasOnScreen) {
         const Pixels unmasked = editor.viewport();
         EXPECT_GT(different_share(at_first, unmasked), 0.01);
         ASSERT_TRUE(editor.click("Properties/Mask", "Add mask entry", "button"));
-        ASSERT_TRUE(editor.click("Properties/Mask/Popup", "Worley noise", "item"));
+        ASSERT_TRUE(editor.click("Properties/Mask/Popup", "Worley noise (F1)", "item"));
         ASSERT_TRUE(editor.wait_for("a mask entry", [&] {
-            return editor.find("Properties/Mask", "Worley noise", "mask entry").has_value();
+            return editor.find("Properties/Mask", "Worley noise (F1)", "mask entry").has_value();
         }));
         ASSERT_TRUE(editor.settle());
         const Pixels masked = editor.viewport();

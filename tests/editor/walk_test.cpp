@@ -165,9 +165,9 @@ void Walk::add_three_layers(const Editor& editor) {
 
 void Walk::mask_and_blend(const Editor& editor) {
     ASSERT_TRUE(editor.click("Properties/Mask", "Add mask entry", "button"));
-    ASSERT_TRUE(editor.click("Properties/Mask/Popup", "Worley noise", "item"));
+    ASSERT_TRUE(editor.click("Properties/Mask/Popup", "Worley noise (F1)", "item"));
     ASSERT_TRUE(editor.wait_for("a mask entry", [&] {
-        return editor.find("Properties/Mask", "Worley noise", "mask entry").has_value();
+        return editor.find("Properties/Mask", "Worley noise (F1)", "mask entry").has_value();
     }));
     ASSERT_NO_FATAL_FAILURE(expect_step(editor, "mask"));
 

@@ -8,8 +8,12 @@
 
 namespace patina::editor {
 
+/// Groups can pass through as well.
+enum class BlendOf { Channel, Group };
+
 /// A combo of the blend modes that mean something for `kind`, under the headings of the table.
 std::optional<BlendMode> blend_combo(Ui& ui, const Rect& rect, const ComboSpec& spec,
-                                     ChannelKind kind, BlendMode current);
+                                     ChannelKind kind, BlendMode current,
+                                     BlendOf of = BlendOf::Channel);
 
 }  // namespace patina::editor

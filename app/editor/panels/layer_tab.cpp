@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "document/edits.h"
+#include "editor/panels/adjustment_editor.h"
 #include "editor/panels/blend_combo.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/panels.h"
@@ -72,7 +73,7 @@ Requests draw_head(Ui& ui, Rect& rest, const Subject& subject) {
     text(ui, words.cut_top(ui.px(18)), ui.fonts.name15, theme::kText, layer.name);
     words.cut_top(ui.px(2));
     const Layer* parent = parent_of(subject.material.stack, layer.id);
-    std::string kind = layer.is_group() ? "Group" : "Fill";
+    std::string kind = layer.is_group() ? "Group" : layer.is_adjustment() ? "Adjustment" : "Fill";
     kind +=
         parent != nullptr ? " \u00b7 in " + parent->name : " \u00b7 of " + subject.material.name;
     text(ui, words, ui.fonts.caption11, theme::kText3, kind);
@@ -82,7 +83,7 @@ Requests draw_head(Ui& ui, Rect& rest, const Subject& subject) {
     line_box.cut_left(ui.px(4));
     const auto mode = blend_combo(
         ui, mode_box, {.label = "Blend mode", .tooltip = info(Parameter::LayerMode).tooltip},
-        ChannelKind::Color, layer.mode);
+        ChannelKind::Color, layer.mode, layer.is_group() ? BlendOf::Group : BlendOf::Channel);
     if (mode) requests.edit(set_layer_mode(subject.material, layer, *mode));
     const auto opacity = number_field(ui, line_box, number_spec(Parameter::LayerOpacity),
                                       static_cast<double>(layer.opacity));
@@ -93,6 +94,11 @@ Requests draw_head(Ui& ui, Rect& rest, const Subject& subject) {
     const auto space =
         parameter_combo(ui, space_box, Parameter::LayerBlendSpace, layer.blend_space);
     if (space) requests.edit(set_layer_blend_space(subject.material, layer, *space));
+    rest.cut_top(ui.px(4));
+    const Rect clip_box = rest.cut_top(ui.px(theme::kFieldHeight)).inset(ui.px(12), 0);
+    const ParameterInfo& clip = info(Parameter::LayerClipped);
+    if (labelled_checkbox(ui, clip_box, clip.label, layer.clipped, clip.tooltip))
+        requests.edit(set_layer_clipped(subject.material, layer, !layer.clipped));
     rest.cut_top(ui.px(10));
     return requests;
 }
@@ -174,12 +180,14 @@ void draw_channel_name(Ui& ui, const Rect& rect, Channel channel, bool on, bool 
 
 Requests draw_channel_row(Ui& ui, Rect& rest, Channel channel, const Subject& subject,
                           ViewState& view) {
+    // A normal is no number that an adjustment could change.
+    if (subject.layer.is_adjustment() && channel == Channel::Normal) return {};
     Requests requests;
     const Place place(ui, info(channel).label);
     const Layer& layer = subject.layer;
     const ChannelSettings& settings = at(layer.channels, channel);
-    const bool group = layer.is_group();
-    const bool open = settings.enabled && !group && view.unfolded.channel == channel;
+    const bool fills = !layer.is_group() && !layer.is_adjustment();
+    const bool open = settings.enabled && fills && view.unfolded.channel == channel;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.ChannelsSplit(2);
     list.ChannelsSetCurrent(1);
@@ -188,16 +196,15 @@ Requests draw_channel_row(Ui& ui, Rect& rest, Channel channel, const Subject& su
     if (checkbox(ui, columns.box, info(channel).label, settings.enabled,
                  info(Parameter::ChannelEnabled).tooltip))
         requests.edit(set_channel_enabled(subject.material, layer, channel, !settings.enabled));
-    draw_channel_name(ui, columns.name, channel, settings.enabled, settings.enabled && !group,
-                      view);
+    draw_channel_name(ui, columns.name, channel, settings.enabled, settings.enabled && fills, view);
     const SourcePlace source = source_place(subject.material, layer, channel);
     const EditedSource edited{source, settings.source, channel, layer.id, {}};
     if (!settings.enabled) {
         text(ui, columns.value.inset(ui.px(8), 0), ui.fonts.value12, theme::kText3, "Off");
     } else {
-        if (group)
+        if (!fills)
             text(ui, columns.value.inset(ui.px(8), 0), ui.fonts.value12, theme::kText3,
-                 "Of its layers");
+                 layer.is_group() ? "Of its layers" : "Adjusted");
         else
             requests.append(draw_channel_value(ui, columns.value, edited, subject, view));
         if (subject.wide) {
@@ -374,14 +381,20 @@ Requests draw_entry(Ui& ui, Rect& rest, const Subject& subject, const MaskEntry&
     return requests;
 }
 
+/// What masks begin with most; any other kind can then be chosen in the entry.
+constexpr std::array kUsualMasks = {ProceduralKind::ValueNoise,  ProceduralKind::PerlinNoise,
+                                    ProceduralKind::WorleyNoise, ProceduralKind::Grunge,
+                                    ProceduralKind::Cracks,      ProceduralKind::Scratches,
+                                    ProceduralKind::Spots,       ProceduralKind::Bricks};
+
 Requests draw_add_entry_menu(Ui& ui, const Subject& subject) {
     Requests requests;
     PopupMenu menu(ui, "add mask", 170);
     if (!menu.open()) return requests;
-    for (std::size_t i = 0; i < kProceduralKinds.size(); ++i)
-        if (menu.item({.icon = icon::kNoise, .label = kProceduralKinds[i].label}))
-            requests.edit(add_mask_entry(subject.material, subject.layer,
-                                         procedural_mask_entry(static_cast<ProceduralKind>(i))));
+    for (const ProceduralKind kind : kUsualMasks)
+        if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
+            requests.edit(
+                add_mask_entry(subject.material, subject.layer, procedural_mask_entry(kind)));
     if (menu.item({.icon = icon::kImage, .label = "Image\u2026"}))
         requests.ask(ChooseImageFor{subject.layer.id, std::monostate{}});
     if (menu.item({.icon = icon::kDroplet, .label = "Value"}))
@@ -655,6 +668,7 @@ Requests draw_layer_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState&
     {
         const Faded locked(ui, shown.layer->locked, 200);
         requests.append(draw_head(ui, rest, subject));
+        requests.append(draw_adjustment(ui, rest, subject.material, subject.layer));
         requests.append(draw_channels(ui, rest, subject, view));
         requests.append(draw_mask(ui, rest, subject, view));
         requests.append(draw_uv(ui, rest, subject, view));

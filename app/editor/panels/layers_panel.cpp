@@ -367,7 +367,7 @@ Requests draw_title(Ui& ui, Rect title, const Shown& shown, std::size_t count, V
     place_popup(plus, ui.px(2));
     if (PopupMenu menu(ui, "add layer", 180); menu.open())
         for (const Action action : {Action::AddValueLayer, Action::AddNoiseLayer,
-                                    Action::AddImageLayer, Action::AddGroup})
+                                    Action::AddImageLayer, Action::AddGroup, Action::AddAdjustment})
             if (menu.item({.icon = info(action).icon, .label = info(action).label}))
                 requests.ask(action);
     const auto button = [&](Action action, std::string_view label) {

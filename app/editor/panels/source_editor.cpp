@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "document/procedural_kinds.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -125,12 +126,80 @@ RampSpec ramp_spec(std::optional<Channel> channel) {
             .maximum = static_cast<float>(row.maximum)};
 }
 
+/// A combo of all noises and patterns under their headings.
+std::optional<ProceduralKind> procedural_combo(Ui& ui, const Rect& rect, ProceduralKind current) {
+    std::vector<ComboItem> items;
+    std::vector<ProceduralKind> kinds;
+    int chosen = -1;
+    for (const std::string_view group : kProceduralGroups)
+        for (const ProceduralKindInfo& row : kProceduralKindInfos) {
+            if (row.group != group) continue;
+            if (row.kind == current) chosen = static_cast<int>(items.size());
+            items.push_back(
+                {.label = choice(row.kind).label, .group = row.group, .tooltip = row.tooltip});
+            kinds.push_back(row.kind);
+        }
+    const ParameterInfo& row = info(Parameter::ProceduralKindChoice);
+    const auto picked =
+        combo(ui, rect, {.label = row.label, .shown_label = row.label, .tooltip = row.tooltip},
+              items, chosen);
+    if (!picked) return std::nullopt;
+    return kinds[static_cast<std::size_t>(*picked)];
+}
+
+/// A number that not every kind looks at.
+struct ProceduralNumber {
+    ProceduralUses use;
+    Parameter parameter;
+    float ProceduralSource::*member;
+    Edit (*edit)(const SourcePlace&, float);
+};
+constexpr std::array kProceduralNumbers = {
+    ProceduralNumber{kUsesWidth, Parameter::ProceduralWidth, &ProceduralSource::width,
+                     set_procedural_width},
+    ProceduralNumber{kUsesSoftness, Parameter::ProceduralSoftness, &ProceduralSource::softness,
+                     set_procedural_softness},
+    ProceduralNumber{kUsesVariation, Parameter::ProceduralVariation, &ProceduralSource::variation,
+                     set_procedural_variation},
+    ProceduralNumber{kUsesAspect, Parameter::ProceduralAspect, &ProceduralSource::aspect,
+                     set_procedural_aspect},
+};
+
+/// The numbers that the kind of the source looks at, two in a line.
+Requests draw_procedural_numbers(Ui& ui, Rect& rest, const SourcePlace& place,
+                                 const ProceduralSource& source) {
+    Requests requests;
+    std::array<Rect, 2> boxes;
+    int drawn = 0;
+    const auto next_box = [&] {
+        if (drawn % 2 == 0) boxes = side_by_side<2>(ui, next_line(ui, rest));
+        return boxes[static_cast<std::size_t>(drawn++ % 2)];
+    };
+    const auto number = [&](Parameter parameter, double value) {
+        NumberSpec spec = number_spec(parameter);
+        spec.level = true;
+        return number_field(ui, next_box(), spec, value);
+    };
+    if (uses(source.kind, kUsesOctaves))
+        if (const auto v = number(Parameter::ProceduralOctaves, source.octaves))
+            requests.edit(set_procedural_octaves(place, static_cast<int>(*v)));
+    for (const ProceduralNumber& each : kProceduralNumbers) {
+        if (!uses(source.kind, each.use)) continue;
+        if (const auto v = number(each.parameter, static_cast<double>(source.*each.member)))
+            requests.edit(each.edit(place, static_cast<float>(*v)));
+    }
+    if (const auto v = number(Parameter::ProceduralWarp, static_cast<double>(source.warp)))
+        requests.edit(set_procedural_warp(place, static_cast<float>(*v)));
+    if (const auto v = number(Parameter::ProceduralBalance, static_cast<double>(source.balance)))
+        requests.edit(set_procedural_balance(place, static_cast<float>(*v)));
+    return requests;
+}
+
 Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
                          const ProceduralSource& source) {
     Requests requests;
     const SourcePlace& place = edited.place;
-    const auto kind =
-        parameter_combo(ui, next_line(ui, rest), Parameter::ProceduralKindChoice, source.kind);
+    const auto kind = procedural_combo(ui, next_line(ui, rest), source.kind);
     if (kind) requests.edit(set_procedural_kind(place, *kind));
     const bool has_ramp = !edited.channel || info(*edited.channel).kind != ChannelKind::Normal;
     if (has_ramp) {
@@ -154,12 +223,7 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
         requests.edit(set_procedural_contrast(place, static_cast<float>(*v)));
     if (const auto v = number(first[2], Parameter::ProceduralSeed, source.seed))
         requests.edit(set_procedural_seed(place, static_cast<std::uint32_t>(*v)));
-    const auto second = side_by_side<2>(ui, next_line(ui, rest));
-    if (const auto v = number(second[0], Parameter::ProceduralOctaves, source.octaves))
-        requests.edit(set_procedural_octaves(place, static_cast<int>(*v)));
-    if (const auto v =
-            number(second[1], Parameter::ProceduralBalance, static_cast<double>(source.balance)))
-        requests.edit(set_procedural_balance(place, static_cast<float>(*v)));
+    requests.append(draw_procedural_numbers(ui, rest, place, source));
     return requests;
 }
 

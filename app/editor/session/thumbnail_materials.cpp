@@ -57,6 +57,26 @@ Layer white_through(Mask mask) {
     return layer;
 }
 
+/// What an adjustment does, shown on all hues and on greys.
+Material adjusted_spectrum(const Layer& adjustment) {
+    ProceduralSource spectrum{.kind = ProceduralKind::GradientLinear, .scale = 1.0f};
+    spectrum.ramp = {{0.0f, {1, 0, 0}},  {0.17f, {1, 1, 0}}, {0.33f, {0, 1, 0}}, {0.5f, {0, 1, 1}},
+                     {0.67f, {0, 0, 1}}, {0.83f, {1, 0, 1}}, {1.0f, {1, 0, 0}}};
+    ProceduralSource greys{.kind = ProceduralKind::GradientLinear, .scale = 1.0f};
+    greys.transform.rotation_degrees = 90.0f;
+    Layer shade = only_base_color(greys);
+    shade.id = {2};
+    shade.opacity = 0.6f;
+    Layer copy = adjustment;
+    copy.visible = true;
+    copy.clipped = false;
+    copy.opacity = 1.0f;
+    copy.mask = {};
+    copy.channels = default_channels();
+    at(copy.channels, Channel::BaseColor).enabled = true;
+    return stack_of({only_base_color(spectrum), std::move(shade), std::move(copy)});
+}
+
 /// The layer with that id and the groups around it, and nothing else.
 std::vector<LayerPtr> only_branch(const std::vector<LayerPtr>& layers, LayerId id) {
     std::vector<LayerPtr> result;
@@ -79,6 +99,7 @@ std::vector<LayerPtr> only_branch(const std::vector<LayerPtr>& layers, LayerId i
 }  // namespace
 
 Material layer_thumbnail(const Layer& layer) {
+    if (layer.is_adjustment()) return adjusted_spectrum(layer);
     if (layer.is_group()) {
         Layer copy = layer;
         copy.visible = true;

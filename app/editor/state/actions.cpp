@@ -30,6 +30,8 @@ constexpr std::array kActions = {
     ActionInfo{Action::AddNoiseLayer, Menu::Layer, icon::kNoise, "Add noise layer", "", Needs::Material},
     ActionInfo{Action::AddImageLayer, Menu::Layer, icon::kImage, "Add image layer\u2026", "", Needs::Material},
     ActionInfo{Action::AddGroup, Menu::Layer, icon::kFolder, "Add group", "", Needs::Material},
+    ActionInfo{Action::AddAdjustment, Menu::Layer, icon::kInvert, "Add adjustment", "", Needs::Material},
+    ActionInfo{Action::ClipLayer, Menu::Layer, nullptr, "Clip to layer below", "", Needs::Layer},
     ActionInfo{Action::DuplicateLayer, Menu::Layer, icon::kClone, "Duplicate layer", "Ctrl D", Needs::Layer, true},
     ActionInfo{Action::GroupLayer, Menu::Layer, nullptr, "Group layer", "Ctrl G", Needs::Layer},
     ActionInfo{Action::UngroupLayer, Menu::Layer, nullptr, "Ungroup", "Ctrl Shift G", Group},

@@ -26,6 +26,8 @@ enum class Action {
     AddImageLayer,
     AddNoiseLayer,
     AddGroup,
+    AddAdjustment,
+    ClipLayer,
     DuplicateLayer,
     DeleteLayer,
     GroupLayer,

@@ -2,6 +2,7 @@
 // No include guard: formulae.h and formulae-inl.h include this inside a namespace, once for each
 // meaning of Real. Every file of shaders/shared/ but the GLSL prelude stands in both lists.
 
+#undef SHARED_ADJUST_GLSL
 #undef SHARED_BLEND_COLOR_GLSL
 #undef SHARED_BLEND_GLSL
 #undef SHARED_BRDF_GLSL
@@ -13,11 +14,13 @@
 #undef SHARED_MASK_GLSL
 #undef SHARED_NOISE_GLSL
 #undef SHARED_NORMAL_BLEND_GLSL
+#undef SHARED_PATTERN_GLSL
 #undef SHARED_PHONG_GLSL
 #undef SHARED_RAMP_GLSL
 #undef SHARED_TONE_MAP_GLSL
 #undef SHARED_TRANSCENDENTAL_GLSL
 
+#include "shared/adjust.glsl"
 #include "shared/blend.glsl"
 #include "shared/blend_color.glsl"
 #include "shared/brdf.glsl"
@@ -29,6 +32,7 @@
 #include "shared/mask.glsl"
 #include "shared/noise.glsl"
 #include "shared/normal_blend.glsl"
+#include "shared/pattern.glsl"
 #include "shared/phong.glsl"
 #include "shared/ramp.glsl"
 #include "shared/tone_map.glsl"

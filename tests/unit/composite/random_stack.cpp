@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "document/choices.h"
+
 namespace patina {
 namespace {
 
@@ -28,6 +30,11 @@ bool is_continuous(BlendMode mode) {
         default:
             return true;
     }
+}
+
+/// The same of adjustments.
+bool is_continuous(AdjustmentKind kind) {
+    return kind != AdjustmentKind::Posterise && kind != AdjustmentKind::HueSaturation;
 }
 
 }  // namespace
@@ -87,12 +94,18 @@ ImageSource RandomStack::image_source(Channel channel) {
 }
 
 ProceduralSource RandomStack::procedural() {
-    ProceduralSource source{.kind = static_cast<ProceduralKind>(index(3)),
-                            .seed = static_cast<std::uint32_t>(index(1000)),
-                            .scale = number(1, 40),
-                            .octaves = 1 + index(4),
-                            .contrast = number(-1, 1),
-                            .balance = number()};
+    ProceduralSource source{
+        .kind = static_cast<ProceduralKind>(index(int{kProceduralKinds.size()})),
+        .seed = static_cast<std::uint32_t>(index(1000)),
+        .scale = number(1, 40),
+        .octaves = 1 + index(4),
+        .width = number(),
+        .softness = number(),
+        .variation = number(),
+        .aspect = number(0.25f, 4),
+        .warp = chance(50) ? 0.0f : number(),
+        .contrast = number(-1, 1),
+        .balance = number()};
     for (RampStop& stop : source.ramp) stop.value = {number(), number(), number(0.2f, 1.0f)};
     return source;
 }
@@ -129,6 +142,26 @@ BlendMode RandomStack::mode(Channel channel) {
     }
 }
 
+AdjustmentSettings RandomStack::adjustment() {
+    AdjustmentSettings settings;
+    do {
+        settings.kind = static_cast<AdjustmentKind>(index(int{kAdjustmentKinds.size()}));
+    } while (sources_ == RandomSources::ConstantsAndImages && !is_continuous(settings.kind));
+    settings.levels = {0.1f, 0.9f, number(0.5f, 2), number(), number()};
+    settings.curve = {{0.0f, number()}, {0.25f, number()}, {0.7f, number()}, {1.0f, number()}};
+    settings.hue_degrees = number(-180, 180);
+    settings.saturation = number(-1, 1);
+    settings.lightness = number(-1, 1);
+    settings.brightness = number(-1, 1);
+    settings.contrast = number(-1, 0.5f);
+    settings.steps = 2 + index(10);
+    settings.gradient = {{0.1f, {number(), number(), number()}},
+                         {0.6f, {number(), number(), number()}}};
+    settings.low = number(0, 0.4f);
+    settings.high = number(0.5f, 1);
+    return settings;
+}
+
 Layer RandomStack::layer(int depth) {
     Layer layer{.id = {next_id_++},
                 .name = "layer",
@@ -146,6 +179,12 @@ Layer RandomStack::layer(int depth) {
     }
     if (depth < 2 && chance(25))
         layer.content = GroupContent{.children = stack(1 + index(3), depth + 1)};
+    layer.clipped = chance(15);
+    if (layer.is_group() && chance(35)) layer.mode = BlendMode::PassThrough;
+    if (!layer.is_group() && chance(15)) {
+        layer.content = AdjustmentContent{adjustment()};
+        at(layer.channels, Channel::Normal).enabled = false;
+    }
     return layer;
 }
 

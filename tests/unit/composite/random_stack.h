@@ -38,6 +38,7 @@ class RandomStack {
     Source source(Channel channel);
     Mask mask();
     BlendMode mode(Channel channel);
+    AdjustmentSettings adjustment();
     Layer layer(int depth);
     std::vector<LayerPtr> stack(int layers, int depth);
 

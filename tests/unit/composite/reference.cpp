@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "composite/published_adjustments.h"
 #include "shaders/published_modes.h"
 
 namespace patina {
@@ -91,7 +92,11 @@ class Texel {
         double coverage = 1;
     };
 
+    double coverage(const Layer& layer) const;
     void composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const;
+    void composite(const Layer& layer, double weight, Accumulators& accumulators) const;
+    static void adjust(const Layer& layer, const AdjustmentSettings& adjustment, Channel channel,
+                       double weight, Accumulated& below);
     void lay(const Layer& layer, Channel channel, Sampled source, double weight,
              Accumulators& accumulators) const;
     static void replace(Channel channel, const Sampled& source, double weight, Accumulated& below);
@@ -105,43 +110,69 @@ class Texel {
     double v_;
 };
 
-/// Whether the mask is the same at every texel.
-bool is_uniform(const Mask& mask) {
-    return !mask.enabled || std::all_of(mask.entries.begin(), mask.entries.end(), [](auto& entry) {
-        return std::holds_alternative<ConstantSource>(entry.source);
-    });
+/// What the layer covers at this texel, before its channels are asked.
+double Texel::coverage(const Layer& layer) const {
+    if (!layer.visible) return 0;
+    return static_cast<double>(layer.opacity) * mask(layer.mask);
 }
 
 void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const {
+    const Layer* base = nullptr;
     for (const LayerPtr& layer : stack) {
-        // What can have no weight anywhere does not clamp colours by recoding them either.
-        if (!layer->visible || layer->opacity == 0.0f) continue;
-        const double weight = static_cast<double>(layer->opacity) * mask(layer->mask);
-        if (weight == 0.0 && is_uniform(layer->mask)) continue;
-        Accumulators children;
-        if (layer->is_group()) composite(std::get<GroupContent>(layer->content).children, children);
-        for (const ChannelInfo& entry : kChannels) {
-            const ChannelSettings& settings = at(layer->channels, entry.channel);
-            if (!settings.enabled || settings.opacity == 0.0f) continue;
-            const bool wants_encoded =
-                entry.kind == ChannelKind::Color && layer->blend_space == BlendSpace::SrgbEncoded;
-            Sampled source;
-            if (layer->is_group()) {
-                Accumulated& child = at(children, entry.channel);
-                const bool clears =
-                    effective_blend_mode(*layer, entry.channel) == BlendMode::Replace;
-                if (child.coverage == 0 && !clears) continue;
-                put_into_space(child, wants_encoded);
-                source = {child.value, child.coverage};
-            } else {
-                source = sampled(settings.source, entry.kind);
-                if (wants_encoded) source.value = encoded(source.value);
-            }
-            put_into_space(at(accumulators, entry.channel), wants_encoded);
-            lay(*layer, entry.channel, source, weight * static_cast<double>(settings.opacity),
-                accumulators);
-        }
+        double weight = coverage(*layer);
+        if (layer->clipped && base != nullptr) weight *= coverage(*base);
+        if (!layer->clipped) base = layer.get();
+        composite(*layer, weight, accumulators);
     }
+}
+
+void Texel::composite(const Layer& layer, double weight, Accumulators& accumulators) const {
+    const bool passes = layer.is_pass_through();
+    Accumulators children;
+    if (passes) {
+        children = accumulators;
+        for (Accumulated& child : children) child.opaque = false;
+    }
+    if (layer.is_group()) composite(std::get<GroupContent>(layer.content).children, children);
+    for (const ChannelInfo& entry : kChannels) {
+        const ChannelSettings& settings = at(layer.channels, entry.channel);
+        if (!settings.enabled || settings.opacity == 0.0f) continue;
+        Accumulated& below = at(accumulators, entry.channel);
+        const bool wants_encoded =
+            entry.kind == ChannelKind::Color && layer.blend_space == BlendSpace::SrgbEncoded;
+        const double own_weight = weight * static_cast<double>(settings.opacity);
+        Accumulated& child = at(children, entry.channel);
+        put_into_space(below, wants_encoded);
+        if (passes) {
+            put_into_space(child, wants_encoded);
+            replace(entry.channel, {child.value, child.coverage}, own_weight, below);
+            continue;
+        }
+        if (const auto* content = std::get_if<AdjustmentContent>(&layer.content)) {
+            adjust(layer, content->adjustment, entry.channel, own_weight, below);
+            continue;
+        }
+        Sampled source;
+        if (layer.is_group()) {
+            const bool clears = effective_blend_mode(layer, entry.channel) == BlendMode::Replace;
+            if (child.coverage == 0 && !clears) continue;
+            put_into_space(child, wants_encoded);
+            source = {child.value, child.coverage};
+        } else {
+            source = sampled(settings.source, entry.kind);
+            if (wants_encoded) source.value = encoded(source.value);
+        }
+        lay(layer, entry.channel, source, own_weight, accumulators);
+    }
+}
+
+/// The channel goes over to its adjusted self; what covers stays.
+void Texel::adjust(const Layer& layer, const AdjustmentSettings& adjustment, Channel channel,
+                   double weight, Accumulated& below) {
+    const Vec3 changed = testing::adjusted(adjustment, channel, below.value, below.encoded);
+    const Vec3 blended =
+        testing::published_blend(effective_blend_mode(layer, channel), below.value, changed);
+    below.value = glm::mix(below.value, blended, weight);
 }
 
 /// GIMP's replace: both colour and coverage go over to the source's by the weight. The bottom of
@@ -178,13 +209,6 @@ void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weig
     below.coverage = ao;
 }
 
-double leveled(const Levels& levels, double x) {
-    const double width = static_cast<double>(levels.in_high) - static_cast<double>(levels.in_low);
-    const double t = std::clamp((x - static_cast<double>(levels.in_low)) / width, 0.0, 1.0);
-    return glm::mix(static_cast<double>(levels.out_low), static_cast<double>(levels.out_high),
-                    std::pow(t, 1.0 / static_cast<double>(levels.gamma)));
-}
-
 double joined(MaskCombine combine, double mask, double entry) {
     switch (combine) {
         case MaskCombine::Replace:
@@ -210,7 +234,7 @@ double Texel::mask(const Mask& mask) const {
         if (!entry.visible) continue;
         double own = sampled(entry.source, ChannelKind::Scalar).value.x;
         if (entry.invert) own = 1 - own;
-        own = leveled(entry.levels, own);
+        own = testing::leveled(entry.levels, own);
         value =
             glm::mix(value, joined(entry.combine, value, own), static_cast<double>(entry.opacity));
     }

@@ -359,11 +359,11 @@ TEST(Edits, MaskEntriesAreAddedMovedAndRemoved) {
     sample.apply(add_mask_entry(sample.material(), layer(),
                                 procedural_mask_entry(ProceduralKind::WorleyNoise)));
     EXPECT_EQ(layer().mask.entries.back().id, expected);
-    EXPECT_EQ(names(), (Names{"Drips", "crust.png", "Worley noise"}));
+    EXPECT_EQ(names(), (Names{"Drips", "crust.png", "Worley noise (F1)"}));
     sample.apply(move_mask_entry(sample.material(), layer(), layer().mask.entries[2], 0));
-    EXPECT_EQ(names(), (Names{"Worley noise", "Drips", "crust.png"}));
+    EXPECT_EQ(names(), (Names{"Worley noise (F1)", "Drips", "crust.png"}));
     sample.apply(duplicate_mask_entry(sample.material(), layer(), layer().mask.entries[1]));
-    EXPECT_EQ(names(), (Names{"Worley noise", "Drips", "Drips", "crust.png"}));
+    EXPECT_EQ(names(), (Names{"Worley noise (F1)", "Drips", "Drips", "crust.png"}));
     sample.apply(remove_mask_entry(sample.material(), layer(), layer().mask.entries[0]));
     EXPECT_EQ(names(), (Names{"Drips", "Drips", "crust.png"}));
     const MaskEntry entry = layer().mask.entries[0];

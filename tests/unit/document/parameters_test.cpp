@@ -72,6 +72,11 @@ TEST(Parameters, StandardsAreThoseOfNewValues) {
     EXPECT_EQ(standard(Parameter::ProceduralOctaves), noise.octaves);
     EXPECT_EQ(standard(Parameter::ProceduralContrast), noise.contrast);
     EXPECT_EQ(standard(Parameter::ProceduralBalance), noise.balance);
+    EXPECT_EQ(standard(Parameter::ProceduralWidth), noise.width);
+    EXPECT_FLOAT_EQ(static_cast<float>(standard(Parameter::ProceduralSoftness)), noise.softness);
+    EXPECT_EQ(standard(Parameter::ProceduralVariation), noise.variation);
+    EXPECT_EQ(standard(Parameter::ProceduralAspect), noise.aspect);
+    EXPECT_EQ(standard(Parameter::ProceduralWarp), noise.warp);
     EXPECT_EQ(standard(Parameter::ProceduralKindChoice), static_cast<double>(noise.kind));
     const ImageSource image;
     EXPECT_EQ(standard(Parameter::ImageMultiply), image.multiply.x);
@@ -123,7 +128,7 @@ TEST(Parameters, TheSchemaStatesTheSameRangesStandardsAndChoices) {
         {Subject::Image, "/image"},   {Subject::UvTransform, "/transform"},
         {Subject::Mask, "/mask"},     {Subject::Procedural, "/procedural-scalar"},
         {Subject::Levels, "/levels"}, {Subject::MaskEntry, "/mask-entry"},
-        {Subject::Light, "/light"},
+        {Subject::Light, "/light"},   {Subject::Adjustment, "/adjustment"},
     };
     int compared = 0;
     for (const ParameterInfo& row : parameters()) {
@@ -132,6 +137,8 @@ TEST(Parameters, TheSchemaStatesTheSameRangesStandardsAndChoices) {
         json properties = defs.at(json::json_pointer(place->second))["properties"];
         if (row.parameter == Parameter::RampPosition)
             properties = properties["ramp"]["items"]["properties"];
+        if (row.parameter == Parameter::CurveX || row.parameter == Parameter::CurveY)
+            properties = properties["curve"]["items"]["properties"];
         ASSERT_TRUE(properties.contains(row.id)) << row.id;
         json rule = properties[std::string(row.id)];
         if (rule.contains("$ref"))

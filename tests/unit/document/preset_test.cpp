@@ -147,7 +147,7 @@ TEST(Preset, BrokenOnesAreRefusedByTheSchemaAndByTheReader) {
         {"/layers/0/channels/metalness/source", -0.1},
         {"/layers/0/channels/metalness/mode", "h-max"},
         {"/layers/0/channels/normal", {{"source", 1}}},
-        {"/layers/0/channels/roughness/source/kind", "marble"},
+        {"/layers/0/channels/roughness/source/kind", "nacre"},
         {"/layers/0/channels/roughness/source/octaves", 3.5},
         {"/layers/0/channels/roughness/source/octaves", 0},
         {"/layers/0/channels/roughness/source/scale", 1000},

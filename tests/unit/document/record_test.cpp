@@ -129,7 +129,7 @@ TEST(Record, FaultsNameTheirJsonPointer) {
               "/stack/0/colour is not known to this version");
     EXPECT_EQ(fault_of(R"([{"name":"A"},{"opacity":1}])"), "/stack/1/name is missing");
     EXPECT_EQ(fault_of(R"([{"name":"A","kind":"group","layers":[{"name":"B","kind":"x"}]}])"),
-              "/stack/0/layers/0/kind is neither fill nor group");
+              "/stack/0/layers/0/kind is neither fill, group nor adjustment");
     EXPECT_EQ(fault_of(R"([{"name":"A","channels":{"base-color":{"mode":"h-add"}}}])"),
               "/stack/0/channels/base-color/mode does not apply to the base-color channel");
     EXPECT_EQ(fault_of(R"([{"name":"A","mask":{"entries":[{"name":"M","source":"x"}]}}])"),
@@ -145,7 +145,7 @@ TEST(Record, SourcesAreCheckedInFull) {
         "[0.1,0.2]",
         "\"red\"",
         "null",
-        R"({"kind":"marble"})",
+        R"({"kind":"nacre"})",
         R"({"kind":"image"})",
         R"({"kind":"image","image":"12"})",
         R"({"kind":"perlin-noise","seed":-1})",

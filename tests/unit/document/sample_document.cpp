@@ -165,14 +165,33 @@ Levels some_levels(const Target& t) {
             .out_high = t.choices.number(0, 1)};
 }
 
+AdjustmentSettings some_adjustment(const Target& t) {
+    AdjustmentSettings settings;
+    settings.kind = static_cast<AdjustmentKind>(t.choices.below(8));
+    settings.levels = some_levels(t);
+    settings.curve = {{0.0f, t.choices.number(0, 1)}, {t.choices.number(0, 1), 0.5f}};
+    settings.hue_degrees = t.choices.number(-190, 190);
+    settings.saturation = t.choices.number(-1, 1);
+    settings.contrast = t.choices.number(-1, 1);
+    settings.steps = 1 + t.choices.below(20);
+    settings.gradient = some_ramp(t);
+    settings.low = t.choices.number(0, 0.6f);
+    settings.high = t.choices.number(0.5f, 1);
+    return settings;
+}
+
 Edit some_add(const Target& t) {
-    switch (t.choices.below(4)) {
+    switch (t.choices.below(5)) {
         case 0:
             return add_layer(*t.material, value_layer(), t.place());
         case 1:
             return add_layer(*t.material, image_layer(*sample_image()), t.place());
         case 2:
             return add_layer(*t.material, procedural_layer(ProceduralKind::ValueNoise), t.place());
+        case 3:
+            return add_layer(*t.material,
+                             adjustment_layer(static_cast<AdjustmentKind>(t.choices.below(8))),
+                             t.place());
         default:
             return add_layer(*t.material, group_layer(), t.place());
     }
@@ -194,6 +213,11 @@ const std::vector<EditOf>& edits_of_layers() {
         [](const Target& t) { return replace_stack(*t.material, {t.layer}, "Replace"); },
         [](const Target& t) { return rename_layer(*t.material, *t.layer, t.name()); },
         [](const Target& t) { return set_layer_visible(*t.material, *t.layer, t.choices.coin()); },
+        [](const Target& t) { return set_layer_clipped(*t.material, *t.layer, t.choices.coin()); },
+        [](const Target& t) {
+            return set_adjustment(*t.material, *t.layer, some_adjustment(t),
+                                  Parameter::AdjustmentKindChoice);
+        },
         [](const Target& t) {
             return set_layer_locked(*t.material, *t.layer, t.choices.below(4) == 1);
         },

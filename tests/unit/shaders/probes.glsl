@@ -5,6 +5,7 @@
 #ifndef PROBES_GLSL
 #define PROBES_GLSL
 
+#include "shared/adjust.glsl"
 #include "shared/blend.glsl"
 #include "shared/blend_color.glsl"
 #include "shared/brdf.glsl"
@@ -16,6 +17,7 @@
 #include "shared/mask.glsl"
 #include "shared/noise.glsl"
 #include "shared/normal_blend.glsl"
+#include "shared/pattern.glsl"
 #include "shared/phong.glsl"
 #include "shared/ramp.glsl"
 #include "shared/tone_map.glsl"
@@ -81,6 +83,23 @@ Real4 probe_blend(int which, Real4 a, Real4 b) {
                  over_opaque(a.x, b.x, b.y), luminance(srgb_from_linear(Real3(a.x, a.y, a.z))));
 }
 
+Real4 probe_adjust(int which, Real4 a) {
+    Curve curve;
+    curve.count = 3;
+    for (int i = 0; i < 8; ++i) {
+        curve.points[i].x = float(i) * 0.5f;
+        curve.points[i].y = float((i * 3) & 3) * 0.3f;
+        curve.points[i].slope = 0.4f;
+    }
+    if (which == 0)
+        return Real4(curve_value(curve, a.x), brightened(a.y, 0.1f, 0.3f),
+                     brightened(a.z, -0.2f, 0.0f), posterised(a.w * 0.9f + 0.013f, 5.0f));
+    // Never grey, whose hue any rounding decides.
+    Real3 color = Real3(0.5f + 0.5f * a.x, 0.4f * a.y, 0.4f * a.z);
+    return Real4(hue_saturation(color, 3.3f, 0.4f, 0.1f),
+                 hue_saturation(color, 4.6f, -0.4f, -0.3f).y);
+}
+
 Real4 probe_surface(int which, Real4 a, Real4 b) {
     if (which == 0)
         return Real4(srgb_from_linear(a.x), linear_from_srgb(a.x), luminance(Real3(a.x, a.y, a.z)),
@@ -119,10 +138,35 @@ Real4 probe_noise(int which, Real4 a, Real4 b) {
     Real2 position = Real2(a.x * 40.0f - 8.0f, b.x * 40.0f - 8.0f);
     if (which == 0)
         return Real4(value_noise(position, 16, 1u), perlin_noise(position, 16, 2u),
-                     worley_noise(position, 16, 3u), noise(NOISE_PERLIN, position, 5, 9u));
+                     worley_noise(position, 16, 3u), noise(NOISE_PERLIN, position, 5, 9u, 0.1f));
     return Real4(fbm(NOISE_VALUE, position, 7, 4u, 4, 0.5f, 0.0f),
                  fbm(NOISE_PERLIN, position, 16, 5u, 5, 0.6f, 0.05f),
                  fbm(NOISE_WORLEY, position, 3, 6u, 3, 0.5f, 0.1f), 0.0f);
+}
+
+/// Soft enough that a rounding does not decide which cell a place belongs to.
+Pattern probe_pattern(int kind) {
+    Pattern pattern;
+    pattern.kind = kind;
+    pattern.columns = 4;
+    pattern.rows = 6;
+    pattern.seed = 11u;
+    pattern.octaves = 2;
+    pattern.width = 0.6f;
+    pattern.softness = 0.2f;
+    pattern.variation = 0.4f;
+    pattern.warp = kind == PATTERN_CHECKER ? 0.3f : 0.0f;
+    pattern.footprint = 0.1f;
+    return pattern;
+}
+
+/// Kinds 4 which to 4 which + 3.
+Real4 probe_patterns(int which, Real4 a, Real4 b) {
+    Real2 position = Real2(a.x * 4.0f, b.x * 6.0f);
+    return Real4(pattern_value(probe_pattern(4 * which), position),
+                 pattern_value(probe_pattern(4 * which + 1), position),
+                 pattern_value(probe_pattern(4 * which + 2), position),
+                 pattern_value(probe_pattern(4 * which + 3), position));
 }
 
 Real4 probe_light(int which, Real4 a, Real4 b) {
@@ -194,9 +238,11 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 21) return probe_surface(which - 13, a, b);
     if (which < 23) return probe_number(which - 21, a, b);
     if (which < 25) return probe_noise(which - 23, a, b);
-    if (which < 29) return probe_light(which - 25, a, b);
-    if (which < 36) return probe_phong(which - 29, a, b);
-    if (which < 39) return probe_environment(which - 36, a, b);
+    if (which < 31) return probe_patterns(which - 25, a, b);
+    if (which < 35) return probe_light(which - 31, a, b);
+    if (which < 42) return probe_phong(which - 35, a, b);
+    if (which < 45) return probe_environment(which - 42, a, b);
+    if (which < 47) return probe_adjust(which - 45, a);
     return Real4(-1.0f);
 }
 

@@ -43,6 +43,12 @@ inline constexpr Probe kProbes[] = {
     {"sin_poly, cos_poly, atan2_poly", 2e-6f},
     {"value_noise, perlin_noise, worley_noise", 1e-5f},
     {"fbm of the three noises", 4e-6f},
+    {"pattern: value, perlin, worley, simplex", 1e-5f},
+    {"pattern: ridged, turbulence, worley f2, worley edges", 2e-5f},
+    {"pattern: cells; gradients linear, radial, angular", 4e-5f},
+    {"pattern: checker, stripes, bricks, tiles", 4e-5f},
+    {"pattern: hexagons, weave, spots, scratches", 1e-4f},
+    {"pattern: cracks, wood rings, marble, grunge", 1e-4f},
     {"distribution: ggx, beckmann, blinn_phong; material_f0", 3e-4f},
     {"visibility: smith, correlated, schlick_ggx, lecture", 4e-6f},
     {"brdf: burley with schlick", 3e-4f},
@@ -57,6 +63,8 @@ inline constexpr Probe kProbes[] = {
     {"equirect_direction, sh9_basis, sh9_irradiance_over_pi", 4e-6f},
     {"equirect_uv, cube_texel_solid_angle, cube_direction", 4e-6f},
     {"hammersley, split_sum_sample, prefiltered_roughness", 1e-4f},
+    {"curve_value, brightened, posterised", 4e-6f},
+    {"hue_saturation", 8e-6f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 

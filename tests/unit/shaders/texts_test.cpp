@@ -123,6 +123,27 @@ TEST(SharedTexts, NumbersOfTermsAreThoseOfTheEnumerators) {
     EXPECT_EQ(number(ProceduralKind::ValueNoise), formulae::NOISE_VALUE);
     EXPECT_EQ(number(ProceduralKind::PerlinNoise), formulae::NOISE_PERLIN);
     EXPECT_EQ(number(ProceduralKind::WorleyNoise), formulae::NOISE_WORLEY);
+    EXPECT_EQ(number(ProceduralKind::SimplexNoise), formulae::NOISE_SIMPLEX);
+    EXPECT_EQ(number(ProceduralKind::RidgedNoise), formulae::NOISE_RIDGED);
+    EXPECT_EQ(number(ProceduralKind::Turbulence), formulae::NOISE_TURBULENCE);
+    EXPECT_EQ(number(ProceduralKind::WorleyF2), formulae::NOISE_WORLEY_F2);
+    EXPECT_EQ(number(ProceduralKind::WorleyEdges), formulae::NOISE_WORLEY_EDGES);
+    EXPECT_EQ(number(ProceduralKind::Cells), formulae::NOISE_CELLS);
+    EXPECT_EQ(number(ProceduralKind::GradientLinear), formulae::PATTERN_GRADIENT_LINEAR);
+    EXPECT_EQ(number(ProceduralKind::GradientRadial), formulae::PATTERN_GRADIENT_RADIAL);
+    EXPECT_EQ(number(ProceduralKind::GradientAngular), formulae::PATTERN_GRADIENT_ANGULAR);
+    EXPECT_EQ(number(ProceduralKind::Checker), formulae::PATTERN_CHECKER);
+    EXPECT_EQ(number(ProceduralKind::Stripes), formulae::PATTERN_STRIPES);
+    EXPECT_EQ(number(ProceduralKind::Bricks), formulae::PATTERN_BRICKS);
+    EXPECT_EQ(number(ProceduralKind::Tiles), formulae::PATTERN_TILES);
+    EXPECT_EQ(number(ProceduralKind::Hexagons), formulae::PATTERN_HEXAGONS);
+    EXPECT_EQ(number(ProceduralKind::Weave), formulae::PATTERN_WEAVE);
+    EXPECT_EQ(number(ProceduralKind::Spots), formulae::PATTERN_SPOTS);
+    EXPECT_EQ(number(ProceduralKind::Scratches), formulae::PATTERN_SCRATCHES);
+    EXPECT_EQ(number(ProceduralKind::Cracks), formulae::PATTERN_CRACKS);
+    EXPECT_EQ(number(ProceduralKind::WoodRings), formulae::PATTERN_WOOD_RINGS);
+    EXPECT_EQ(number(ProceduralKind::Marble), formulae::PATTERN_MARBLE);
+    EXPECT_EQ(number(ProceduralKind::Grunge), formulae::PATTERN_GRUNGE);
 }
 
 }  // namespace

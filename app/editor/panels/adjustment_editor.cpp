@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "editor/panels/adjustment_editor.h"
+
+#include <array>
+
+#include "document/edits.h"
+#include "editor/panels/choice_combo.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/form.h"
+#include "editor/widgets/ramp_field.h"
+#include "editor/widgets/slider.h"
+
+namespace patina::editor {
+namespace {
+
+struct Editing {
+    Ui& ui;
+    Rect& rest;
+    const Material& material;
+    const Layer& layer;
+    const AdjustmentSettings& now;
+    Requests requests = {};
+
+    void change(const AdjustmentSettings& changed, Parameter parameter) {
+        requests.edit(set_adjustment(material, layer, changed, parameter));
+    }
+    void number(const Rect& box, Parameter parameter, float AdjustmentSettings::*member) {
+        const auto next =
+            number_field(ui, box, number_spec(parameter), static_cast<double>(now.*member));
+        if (!next) return;
+        AdjustmentSettings changed = now;
+        changed.*member = static_cast<float>(*next);
+        change(changed, parameter);
+    }
+    void numbers(Parameter first, float AdjustmentSettings::*first_member, Parameter second,
+                 float AdjustmentSettings::*second_member) {
+        const auto boxes = side_by_side<2>(ui, next_line(ui, rest));
+        number(boxes[0], first, first_member);
+        number(boxes[1], second, second_member);
+    }
+};
+
+void draw_levels(Editing& editing) {
+    struct Field {
+        Parameter parameter;
+        float Levels::*member;
+    };
+    constexpr std::array<Field, 5> kFields = {{{Parameter::LevelsInLow, &Levels::in_low},
+                                               {Parameter::LevelsInHigh, &Levels::in_high},
+                                               {Parameter::LevelsGamma, &Levels::gamma},
+                                               {Parameter::LevelsOutLow, &Levels::out_low},
+                                               {Parameter::LevelsOutHigh, &Levels::out_high}}};
+    std::array<Rect, 2> boxes;
+    for (std::size_t i = 0; i < kFields.size(); ++i) {
+        if (i % 2 == 0) boxes = side_by_side<2>(editing.ui, next_line(editing.ui, editing.rest));
+        const float now = editing.now.levels.*kFields[i].member;
+        const auto next = number_field(editing.ui, boxes[i % 2], number_spec(kFields[i].parameter),
+                                       static_cast<double>(now));
+        if (!next) continue;
+        AdjustmentSettings changed = editing.now;
+        changed.levels.*kFields[i].member = static_cast<float>(*next);
+        editing.change(changed, kFields[i].parameter);
+    }
+}
+
+/// One line for each point: input, output, and a button that removes it.
+void draw_curve(Editing& editing) {
+    const std::vector<CurvePoint>& curve = editing.now.curve;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const Place place(editing.ui, "point " + std::to_string(i + 1), i);
+        Rect line_box = next_line(editing.ui, editing.rest);
+        const Rect remove = line_box.cut_right(editing.ui.px(26));
+        const auto boxes = side_by_side<2>(editing.ui, line_box);
+        AdjustmentSettings changed = editing.now;
+        const auto x = number_field(editing.ui, boxes[0], number_spec(Parameter::CurveX),
+                                    static_cast<double>(curve[i].x));
+        const auto y = number_field(editing.ui, boxes[1], number_spec(Parameter::CurveY),
+                                    static_cast<double>(curve[i].y));
+        if (x) changed.curve[i].x = static_cast<float>(*x);
+        if (y) changed.curve[i].y = static_cast<float>(*y);
+        if (x || y) editing.change(changed, x ? Parameter::CurveX : Parameter::CurveY);
+        if (curve.size() > 2 &&
+            icon_button(editing.ui, remove, {.icon = icon::kTrash, .label = "Remove point"})) {
+            changed.curve.erase(changed.curve.begin() + static_cast<std::ptrdiff_t>(i));
+            editing.change(changed, Parameter::CurveX);
+        }
+    }
+    if (curve.size() >= std::size_t{kMaxCurvePoints}) return;
+    const TextButton add{.label = "Add point", .tooltip = "In the middle of the widest gap"};
+    Rect line_box = next_line(editing.ui, editing.rest);
+    if (!text_button(editing.ui, line_box.cut_left(text_button_width(editing.ui, add)), add))
+        return;
+    std::size_t widest = 1;
+    for (std::size_t i = 2; i < curve.size(); ++i)
+        if (curve[i].x - curve[i - 1].x > curve[widest].x - curve[widest - 1].x) widest = i;
+    AdjustmentSettings changed = editing.now;
+    const CurvePoint middle{0.5f * (curve[widest - 1].x + curve[widest].x),
+                            0.5f * (curve[widest - 1].y + curve[widest].y)};
+    changed.curve.insert(changed.curve.begin() + static_cast<std::ptrdiff_t>(widest), middle);
+    editing.change(changed, Parameter::CurveX);
+}
+
+void draw_gradient(Editing& editing) {
+    const Rect bar = editing.rest.cut_top(editing.ui.px(34));
+    editing.rest.cut_top(editing.ui.px(6));
+    auto stops =
+        ramp_field(editing.ui, bar, {.label = "Gradient", .color = true}, editing.now.gradient);
+    if (!stops) return;
+    AdjustmentSettings changed = editing.now;
+    changed.gradient = std::move(*stops);
+    editing.change(changed, Parameter::RampPosition);
+}
+
+void draw_steps(Editing& editing) {
+    const auto next = number_field(editing.ui, next_line(editing.ui, editing.rest),
+                                   number_spec(Parameter::AdjustmentSteps), editing.now.steps);
+    if (!next) return;
+    AdjustmentSettings changed = editing.now;
+    changed.steps = static_cast<int>(*next);
+    editing.change(changed, Parameter::AdjustmentSteps);
+}
+
+void draw_numbers(Editing& editing) {
+    using enum Parameter;
+    switch (editing.now.kind) {
+        case AdjustmentKind::Levels:
+            return draw_levels(editing);
+        case AdjustmentKind::Curves:
+            return draw_curve(editing);
+        case AdjustmentKind::HueSaturation:
+            editing.number(next_line(editing.ui, editing.rest), AdjustmentHue,
+                           &AdjustmentSettings::hue_degrees);
+            return editing.numbers(AdjustmentSaturation, &AdjustmentSettings::saturation,
+                                   AdjustmentLightness, &AdjustmentSettings::lightness);
+        case AdjustmentKind::BrightnessContrast:
+            return editing.numbers(AdjustmentBrightness, &AdjustmentSettings::brightness,
+                                   AdjustmentContrast, &AdjustmentSettings::contrast);
+        case AdjustmentKind::Posterise:
+            return draw_steps(editing);
+        case AdjustmentKind::GradientMap:
+            return draw_gradient(editing);
+        case AdjustmentKind::Clamp:
+            return editing.numbers(AdjustmentLow, &AdjustmentSettings::low, AdjustmentHigh,
+                                   &AdjustmentSettings::high);
+        case AdjustmentKind::Invert:
+            return;
+    }
+}
+
+}  // namespace
+
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer) {
+    const auto* content = std::get_if<AdjustmentContent>(&layer.content);
+    if (content == nullptr) return {};
+    const Place place(ui, "Adjustment");
+    Rect inner = rest;
+    inner.x0 += ui.px(12);
+    inner.x1 -= ui.px(12);
+    const float top = inner.y0;
+    Editing editing{ui, inner, material, layer, content->adjustment};
+    const auto kind = parameter_combo(ui, next_line(ui, inner), Parameter::AdjustmentKindChoice,
+                                      content->adjustment.kind);
+    if (kind) {
+        AdjustmentSettings changed = content->adjustment;
+        changed.kind = *kind;
+        editing.change(changed, Parameter::AdjustmentKindChoice);
+    }
+    draw_numbers(editing);
+    rest.cut_top(inner.y0 - top + ui.px(6));
+    return std::move(editing.requests);
+}
+
+}  // namespace patina::editor

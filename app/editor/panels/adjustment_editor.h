@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/state/requests.h"
+#include "editor/widgets/ui.h"
+
+namespace patina::editor {
+
+/// The controls of an adjustment layer, cut off the top of `rest`. Nothing for other layers.
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer);
+
+}  // namespace patina::editor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What an adjustment layer does to the channels below it. The formulae are in
+/// shaders/shared/adjust.glsl. Colours and scalars are taken as 0..1 in the layer's blend space,
+/// heights of -1..1 as 0..1; normals cannot be adjusted.
+
+#include <cstdint>
+#include <vector>
+
+#include "document/levels.h"
+#include "document/source.h"
+
+namespace patina {
+
+enum class AdjustmentKind : std::uint8_t {
+    Levels,
+    Curves,
+    HueSaturation,
+    BrightnessContrast,
+    Invert,
+    Posterise,
+    GradientMap,
+    Clamp,
+};
+
+struct CurvePoint {
+    float x = 0.0f;
+    float y = 0.0f;
+    bool operator==(const CurvePoint&) const = default;
+};
+inline constexpr int kMaxCurvePoints = 8;
+
+/// One kind is in force; the numbers of the others are kept for when it is chosen again.
+struct AdjustmentSettings {
+    AdjustmentKind kind = AdjustmentKind::Levels;
+    Levels levels = {};
+    /// 2 to kMaxCurvePoints, each 0 to 1, x ascending.
+    std::vector<CurvePoint> curve = {{0.0f, 0.0f}, {1.0f, 1.0f}};
+    float hue_degrees = 0.0f;  ///< -180 to 180
+    float saturation = 0.0f;   ///< -1 to 1
+    float lightness = 0.0f;    ///< -1 to 1
+    float brightness = 0.0f;   ///< -1 to 1
+    float contrast = 0.0f;     ///< -1 to 1
+    int steps = 4;             ///< 2 to 64
+    /// What the luminance of a colour (or a scalar) from 0 to 1 becomes: linear colours, of which a
+    /// scalar takes the red. 1 to kMaxRampStops, ascending.
+    std::vector<RampStop> gradient = {{0.0f, glm::vec3(0.0f)}, {1.0f, glm::vec3(1.0f)}};
+    float low = 0.0f;   ///< 0 to 1, at most `high`
+    float high = 1.0f;  ///< 0 to 1
+    bool operator==(const AdjustmentSettings&) const = default;
+};
+
+}  // namespace patina

@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: MIT
+#ifndef SHARED_PATTERN_GLSL
+#define SHARED_PATTERN_GLSL
+
+#include "shared/noise.glsl"
+#include "shared/transcendental.glsl"
+
+// Patterns of cells, 0..1, tiling after whole numbers of columns and rows. Each is limited to what a
+// texel can show: edges are never sharper than a texel, and a pattern whose cells are smaller than
+// two texels fades to its mean, as octave_visibility says for noises.
+//
+// position: in cells, x to the right and y down.
+
+const int PATTERN_GRADIENT_LINEAR = 9;
+const int PATTERN_GRADIENT_RADIAL = 10;
+const int PATTERN_GRADIENT_ANGULAR = 11;
+const int PATTERN_CHECKER = 12;
+const int PATTERN_STRIPES = 13;
+const int PATTERN_BRICKS = 14;
+const int PATTERN_TILES = 15;
+const int PATTERN_HEXAGONS = 16;
+const int PATTERN_WEAVE = 17;
+const int PATTERN_SPOTS = 18;
+const int PATTERN_SCRATCHES = 19;
+const int PATTERN_CRACKS = 20;
+const int PATTERN_WOOD_RINGS = 21;
+const int PATTERN_MARBLE = 22;
+const int PATTERN_GRUNGE = 23;
+
+/// What is the same in every texel.
+struct Pattern {
+    int kind;     // NOISE_... or PATTERN_...
+    int columns;  // cells across the texture
+    int rows;     // cells down
+    uint seed;
+    int octaves;      // of noises, 1 to 10; of scratches: whether there are twice as many
+    float width;      // 0..1: of lines, gaps, spots
+    float softness;   // 0..1: of edges, in cells
+    float variation;  // 0..1: how far one cell differs from another
+    float warp;       // 0..1: how far the place is bent, in cells
+    float footprint;  // width of a texel in cells
+};
+
+/// 0 outside an edge, 1 inside, from `distance` inside (negative outside), over `width`.
+Real soft_edge(Real distance, float width) {
+    Real t = clamp(distance / width + 0.5f, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// The width of an edge: as soft as asked, and a texel at least.
+float edge_width(Pattern pattern) {
+    return max(max(pattern.softness, pattern.footprint), 1e-4f);
+}
+
+/// 1 in odd cells, 0 in even ones.
+Real odd(Real cell) {
+    return cell - 2.0f * floor(cell * 0.5f);
+}
+
+/// A random number of a cell, 0..1; `part` tells apart those of one cell.
+Real cell_value(Pattern pattern, Real cell_x, Real cell_y, int part) {
+    return unit_from_hash(lattice_hash(wrapped_cell(cell_x, pattern.columns),
+                                       wrapped_cell(cell_y, pattern.rows),
+                                       derived_seed(pattern.seed, part)));
+}
+
+/// 1 less what the variation takes off in that cell.
+Real cell_shade(Pattern pattern, Real cell_x, Real cell_y) {
+    return 1.0f - pattern.variation * cell_value(pattern, cell_x, cell_y, 7);
+}
+
+/// A ramp of 0..1 across a cell that falls back to 0 within a texel.
+Real wrapped_ramp(Real t, Real texel) {
+    return min(t, (1.0f - t) / max(texel, 1e-4f));
+}
+
+/// From 0 to 1 across each cell.
+Real linear_gradient(Pattern pattern, Real2 position) {
+    return wrapped_ramp(fract(position.x), Real(pattern.footprint));
+}
+
+/// 1 in the middle of each cell, 0 from its border on.
+Real radial_gradient(Pattern pattern, Real2 position) {
+    Real2 from_middle = fract(position) - Real2(0.5f, 0.5f);
+    return max(1.0f - 2.0f * sqrt(dot(from_middle, from_middle)), 0.0f);
+}
+
+/// Once around the middle of each cell, from 0 to 1.
+Real angular_gradient(Pattern pattern, Real2 position) {
+    Real2 from_middle = fract(position) - Real2(0.5f, 0.5f);
+    Real turn = atan2_poly(from_middle.y, from_middle.x) * (0.5f / PI) + 0.5f;
+    Real radius = sqrt(dot(from_middle, from_middle));
+    return wrapped_ramp(turn, pattern.footprint * (0.5f / PI) / max(radius, 1e-4f));
+}
+
+/// +1 in even cells, -1 in odd ones, with soft borders.
+Real alternating(Pattern pattern, Real t) {
+    Real cell = floor(t);
+    Real inside = 0.5f - abs(t - cell - 0.5f);
+    Real height = clamp(2.0f * inside / edge_width(pattern), 0.0f, 1.0f);
+    return height * (1.0f - 2.0f * odd(cell));
+}
+
+/// Squares of 0 and 1 in turn.
+Real checker(Pattern pattern, Real2 position) {
+    return 0.5f + 0.5f * alternating(pattern, position.x) * alternating(pattern, position.y);
+}
+
+/// Upright stripes, `width` of each cell.
+Real stripes(Pattern pattern, Real2 position) {
+    Real cell = floor(position.x);
+    Real inside = 0.5f * pattern.width - abs(position.x - cell - 0.5f);
+    return soft_edge(inside, edge_width(pattern)) * cell_shade(pattern, cell, Real(0.0f));
+}
+
+/// The height of a block with rounded edges: 0 in the gap, 1 from `softness` inside the edge on.
+/// x, y: from the middle of the block, in row heights; half_x, half_y: half its sides.
+Real rounded_block(Pattern pattern, Real x, Real y, float half_x, float half_y) {
+    float bevel = max(edge_width(pattern), 0.02f);
+    float gap = 0.1f * pattern.width;
+    Real dx = max(abs(x) - (half_x - gap - bevel), 0.0f);
+    Real dy = max(abs(y) - (half_y - gap - bevel), 0.0f);
+    Real t = clamp(1.0f - sqrt(dx * dx + dy * dy) / bevel, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// Bricks: every second row is moved by half a brick. 0 in the mortar; `width` is that of the gaps.
+Real bricks(Pattern pattern, Real2 position) {
+    Real row = floor(position.y);
+    Real x = position.x + 0.5f * odd(row);
+    Real column = floor(x);
+    float aspect = float(pattern.rows) / float(pattern.columns);
+    Real block = rounded_block(pattern, (x - column - 0.5f) * aspect, position.y - row - 0.5f,
+                               0.5f * aspect, 0.5f);
+    return block * cell_shade(pattern, column, row);
+}
+
+/// Square tiles; 0 in the joints.
+Real tiles(Pattern pattern, Real2 position) {
+    Real2 cell = floor(position);
+    Real block = rounded_block(pattern, position.x - cell.x - 0.5f, position.y - cell.y - 0.5f,
+                               0.5f, 0.5f);
+    return block * cell_shade(pattern, cell.x, cell.y);
+}
+
+/// How far inside the hexagon around (middle_x, row) the place is; rows are sqrt(3)/2 apart.
+Real inside_hexagon(Real x, Real y, Real middle_x, Real row) {
+    Real dx = abs(x - middle_x);
+    Real dy = abs(y - row) * 0.866025404f;
+    return 0.5f - max(dx, 0.5f * dx + 0.866025404f * dy);
+}
+
+/// Hexagons that stand on a corner; 0 in the joints. There are some 1.15 rows for each column.
+Real hexagons(Pattern pattern, Real2 position) {
+    Real row_above = floor(position.y);
+    Real row_below = row_above + 1.0f;
+    Real shift_above = 0.5f * odd(row_above);
+    Real shift_below = 0.5f - shift_above;
+    Real x_above = floor(position.x - shift_above + 0.5f) + shift_above;
+    Real x_below = floor(position.x - shift_below + 0.5f) + shift_below;
+    Real above = inside_hexagon(position.x, position.y, x_above, row_above);
+    Real below = inside_hexagon(position.x, position.y, x_below, row_below);
+    Real inside = max(above, below) - 0.1f * pattern.width;
+    Real t = clamp(inside / max(edge_width(pattern), 0.02f), 0.0f, 1.0f);
+    Real row = select(above >= below, row_above, row_below);
+    Real column = floor(select(above >= below, x_above, x_below));
+    return t * t * (3.0f - 2.0f * t) * cell_shade(pattern, column, row);
+}
+
+/// The height of a thread: `across` from its middle line, -0.5..0.5; `level` 0..1 where it goes over
+/// and under.
+Real thread(Pattern pattern, Real across, Real level) {
+    float half_width = 0.25f + 0.25f * pattern.width;
+    Real t = across * (1.0f / half_width);
+    Real arch = max(1.0f - t * t, 0.0f);
+    Real cover = clamp((half_width - abs(across)) / max(pattern.footprint, 1e-4f) + 0.5f, 0.0f, 1.0f);
+    return cover * (0.35f + 0.65f * sqrt(arch)) * (0.45f + 0.55f * level);
+}
+
+/// A plain weave: threads that go over and under each other in turn. 0 where none is.
+Real weave(Pattern pattern, Real2 position) {
+    Real2 cell = floor(position);
+    Real x = position.x - cell.x - 0.5f;
+    Real y = position.y - cell.y - 0.5f;
+    Real over = 1.0f - 2.0f * odd(cell.x + cell.y);
+    Real level_x = 0.5f + 0.5f * over * (1.0f - 4.0f * x * x);
+    Real level_y = 0.5f - 0.5f * over * (1.0f - 4.0f * y * y);
+    Real weft = thread(pattern, y, level_x) * cell_shade(pattern, Real(0.0f), cell.y);
+    Real warp = thread(pattern, x, level_y) * cell_shade(pattern, cell.x, Real(1.0f));
+    return max(weft, warp);
+}
+
+/// Eight of a hash's bits as a number in 0..1.
+Real byte_from_hash(Uint hash, int first_bit) {
+    return Real(Int((hash >> first_bit) & 0xffu)) * 0.00392156863f;  // 1/255
+}
+
+/// The cells around a place, wrapped, and the way from the place to the corner of its own.
+struct Surroundings {
+    Int x0, x1, x2;
+    Int y0, y1, y2;
+    Real x, y;
+};
+Surroundings surroundings(Pattern pattern, Real2 position) {
+    Real2 cell = floor(position);
+    Surroundings around;
+    around.x1 = wrapped_cell(cell.x, pattern.columns);
+    around.y1 = wrapped_cell(cell.y, pattern.rows);
+    around.x0 = previous_cell(around.x1, pattern.columns);
+    around.x2 = next_cell(around.x1, pattern.columns);
+    around.y0 = previous_cell(around.y1, pattern.rows);
+    around.y2 = next_cell(around.y1, pattern.rows);
+    around.x = cell.x - position.x;
+    around.y = cell.y - position.y;
+    return around;
+}
+
+/// The spot of one cell; x, y: from the sought point to the cell's corner.
+Real spot(Pattern pattern, Int cell_x, Int cell_y, Real x, Real y) {
+    Uint hash = lattice_hash(cell_x, cell_y, pattern.seed);
+    Real dx = x + 0.5f + pattern.variation * (byte_from_hash(hash, 24) - 0.5f);
+    Real dy = y + 0.5f + pattern.variation * (byte_from_hash(hash, 16) - 0.5f);
+    Real size = 1.0f - pattern.variation * byte_from_hash(hash, 8);
+    return 0.5f * pattern.width * size - sqrt(dx * dx + dy * dy);
+}
+
+/// How far inside the nearest spot of a row of three cells.
+Real spots_of_row(Pattern pattern, Surroundings around, Int cell_y, Real y) {
+    Real before = spot(pattern, around.x0, cell_y, around.x - 1.0f, y);
+    Real here = spot(pattern, around.x1, cell_y, around.x, y);
+    Real after = spot(pattern, around.x2, cell_y, around.x + 1.0f, y);
+    return max(max(before, here), after);
+}
+
+/// Round spots, one for each cell, of 1 on 0; variation scatters them and makes some small.
+Real spots(Pattern pattern, Real2 position) {
+    Surroundings around = surroundings(pattern, position);
+    Real above = spots_of_row(pattern, around, around.y0, around.y - 1.0f);
+    Real here = spots_of_row(pattern, around, around.y1, around.y);
+    Real below = spots_of_row(pattern, around, around.y2, around.y + 1.0f);
+    return soft_edge(max(max(above, here), below), edge_width(pattern));
+}
+
+/// The scratch of one cell; x, y: from the sought point to the cell's corner.
+Real scratch(Pattern pattern, Int cell_x, Int cell_y, uint seed, Real x, Real y) {
+    Uint hash = lattice_hash(cell_x, cell_y, seed);
+    Real middle_x = x + 0.25f + 0.5f * byte_from_hash(hash, 24);
+    Real middle_y = y + 0.25f + 0.5f * byte_from_hash(hash, 16);
+    Real strength = byte_from_hash(hash, 0);
+    // A direction within the spread, its sine by a parabola: exact where it counts, at 0 and 90.
+    Real angle = (byte_from_hash(hash, 8) - 0.5f) * pattern.variation;  // of half a turn
+    Real sine = 4.0f * angle * (1.0f - abs(angle));
+    Real cosine = sqrt(1.0f - sine * sine);
+    Real along = middle_x * cosine + middle_y * sine;
+    Real across = abs(middle_y * cosine - middle_x * sine);
+    // Never longer than the cells around reach.
+    Real half_length = 0.25f + 0.75f * strength;
+    Real taper = max(1.0f - (along * along) / (half_length * half_length), 0.0f);
+    // Thinner than a texel, a line is as faint as the share of the texel that it covers.
+    Real half_width = 0.04f * pattern.width * taper;
+    float texel = max(pattern.footprint, 1e-4f);
+    Real cover = clamp((half_width - across) * (1.0f / texel) + 0.5f, 0.0f, 1.0f) *
+                 min(half_width * (2.0f / texel), 1.0f);
+    return cover * (0.3f + 0.7f * strength);
+}
+
+/// The strongest scratch of a row of three cells.
+Real scratches_of_row(Pattern pattern, Surroundings around, Int cell_y, uint seed, Real y) {
+    Real before = scratch(pattern, around.x0, cell_y, seed, around.x - 1.0f, y);
+    Real here = scratch(pattern, around.x1, cell_y, seed, around.x, y);
+    Real after = scratch(pattern, around.x2, cell_y, seed, around.x + 1.0f, y);
+    return max(max(before, here), after);
+}
+
+/// Straight scratches of 1 on 0, one or (two octaves and more) two for each cell: all along x
+/// without variation, in any direction with it.
+Real scratches(Pattern pattern, Real2 position) {
+    Surroundings around = surroundings(pattern, position);
+    int layers = pattern.octaves < 2 ? 1 : 2;
+    Real most = 0.0f;
+    for (int layer = 0; layer < layers; ++layer) {
+        uint seed = derived_seed(pattern.seed, layer);
+        Real above = scratches_of_row(pattern, around, around.y0, seed, around.y - 1.0f);
+        Real here = scratches_of_row(pattern, around, around.y1, seed, around.y);
+        Real below = scratches_of_row(pattern, around, around.y2, seed, around.y + 1.0f);
+        most = max(max(most, above), max(here, below));
+    }
+    return most;
+}
+
+/// Cracks along the borders of random cells, of 1 on 0; variation makes them thin out in places.
+Real cracks(Pattern pattern, Real2 position) {
+    Features near = nearest_features(position, pattern.columns, pattern.seed);
+    Real thin = 1.0f - pattern.variation *
+                           perlin_noise(position, pattern.columns, derived_seed(pattern.seed, 3)) *
+                           1.6f;
+    Real half_width = 0.12f * pattern.width * max(thin, 0.0f);
+    float texel = edge_width(pattern) * 0.25f + pattern.footprint;
+    Real cover = clamp((half_width - feature_border_distance(near)) / texel + 0.5f, 0.0f, 1.0f);
+    return cover * min(2.0f * half_width / texel, 1.0f);
+}
+
+/// The year rings of a board, sawn along x: slowly darker (towards 1) through each year, then light
+/// again at once; with fibres. The warp of the board grows with the variation.
+Real wood_rings(Pattern pattern, Real2 position) {
+    int bends_y = pattern.rows < 8 ? 1 : pattern.rows / 4;
+    int bends_x = pattern.columns < 8 ? 1 : pattern.columns / 4;
+    float scale_x = float(bends_x) / float(pattern.columns);
+    float scale_y = float(bends_y) / float(pattern.rows);
+    Real2 slow = Real2(position.x * scale_x, position.y * scale_y);
+    Real bend = perlin_noise_xy(slow, bends_x, bends_y, derived_seed(pattern.seed, 1)) - 0.5f +
+                0.25f * (perlin_noise_xy(slow * 2.0f, 2 * bends_x, 2 * bends_y,
+                                         derived_seed(pattern.seed, 2)) -
+                         0.5f);
+    Real ring = position.y + pattern.variation * 6.0f * bend;
+    Real year = ring - floor(ring);
+    // The bend makes rings denser in places: by at most some four times.
+    float texel = max(pattern.footprint * (1.0f + 3.0f * pattern.variation), 1e-4f);
+    float fall = max(pattern.softness, texel);
+    Real value = min(year * year * (0.35f + 0.65f * year), (1.0f - year) / fall);
+    float fine = octave_visibility(pattern.footprint * 8.0f);
+    Real fibre = perlin_noise_xy(Real2(position.x, position.y * 8.0f), pattern.columns,
+                                 pattern.rows * 8, derived_seed(pattern.seed, 4));
+    float shown = octave_visibility(texel);
+    value = 0.25f + (value - 0.25f) * shown;
+    return clamp(value + fine * 0.35f * (fibre - 0.5f), 0.0f, 1.0f);
+}
+
+/// Marble: veins of 1 along y, bent by slow noise and frayed by turbulence, the more, the greater
+/// the variation.
+Real marble(Pattern pattern, Real2 position) {
+    int bends = pattern.columns < 4 ? 1 : pattern.columns / 2;
+    float scale = float(bends) / float(pattern.columns);
+    Real bend = perlin_noise(position * scale, bends, derived_seed(pattern.seed, 2)) - 0.5f;
+    Real fray = fbm(NOISE_TURBULENCE, position, pattern.columns, derived_seed(pattern.seed, 1),
+                    pattern.octaves, 0.5f, pattern.footprint);
+    Real t = position.x + pattern.variation * (3.0f * bend + 1.5f * fray);
+    Real ridge = abs(2.0f * fract(t) - 1.0f);
+    // 1 in the middle of a vein: narrow ones fall off fast.
+    float sharp = 1.0f / (0.1f + 0.9f * pattern.width);
+    Real vein = clamp(1.0f - (1.0f - ridge) * sharp, 0.0f, 1.0f);
+    float shown = octave_visibility(pattern.footprint * (1.0f + 3.0f * pattern.variation));
+    float mean = 0.333f / sharp;
+    return mean + (vein * vein - mean) * shown;
+}
+
+/// Grunge: blots, grain and pores of use and dirt, blended.
+Real grunge(Pattern pattern, Real2 position) {
+    Real clouds = fbm(NOISE_PERLIN, position, pattern.columns, pattern.seed, pattern.octaves, 0.65f,
+                      pattern.footprint);
+    Real pores = fbm(NOISE_WORLEY, position * 2.0f, pattern.columns * 2,
+                     derived_seed(pattern.seed, 11), 1, 0.5f, pattern.footprint * 2.0f);
+    Real veins = fbm(NOISE_RIDGED, position, pattern.columns, derived_seed(pattern.seed, 12), 3,
+                     0.6f, pattern.footprint);
+    Real value = 0.5f + 2.2f * (clouds - 0.5f) + pattern.variation * (0.9f * (pores - 0.43f) -
+                                                                      0.7f * (veins - 0.55f));
+    return clamp(value, 0.0f, 1.0f);
+}
+
+/// About the mean of a pattern of cells, to which it fades where they are too small to be shown.
+float pattern_mean(Pattern pattern) {
+    float shade = 1.0f - 0.5f * pattern.variation;
+    float edge = 0.2f * pattern.width + pattern.softness;
+    float inside = max(1.0f - edge, 0.0f);
+    if (pattern.kind == PATTERN_GRADIENT_RADIAL) return 0.2618f;
+    if (pattern.kind == PATTERN_STRIPES) return pattern.width * shade;
+    if (pattern.kind == PATTERN_BRICKS)
+        return shade * inside *
+               max(1.0f - edge * float(pattern.columns) / float(pattern.rows), 0.0f);
+    if (pattern.kind == PATTERN_TILES || pattern.kind == PATTERN_HEXAGONS)
+        return shade * inside * inside;
+    if (pattern.kind == PATTERN_WEAVE) return 0.72f * shade;
+    if (pattern.kind == PATTERN_SPOTS)
+        return 0.785398163f * pattern.width * pattern.width * shade * shade;
+    if (pattern.kind == PATTERN_SCRATCHES) return 0.043f * pattern.width;
+    if (pattern.kind == PATTERN_CRACKS) return 0.36f * pattern.width * shade;
+    return 0.5f;
+}
+
+/// The place bent by a noise of the same period: domain warp. Unbent where the warp is 0.
+Real2 warped_position(Pattern pattern, Real2 position) {
+    if (pattern.warp == 0.0f) return position;
+    float shown = octave_visibility(pattern.footprint);
+    float reach = 2.0f * pattern.warp * shown;
+    Real dx = perlin_noise_xy(position, pattern.columns, pattern.rows,
+                              derived_seed(pattern.seed, 21)) - 0.5f;
+    Real dy = perlin_noise_xy(position, pattern.columns, pattern.rows,
+                              derived_seed(pattern.seed, 22)) - 0.5f;
+    return Real2(position.x + reach * dx, position.y + reach * dy);
+}
+
+/// The pattern of cells at a place that is bent already, whatever a texel can show.
+Real sharp_pattern(Pattern pattern, Real2 position) {
+    if (pattern.kind == PATTERN_GRADIENT_LINEAR) return linear_gradient(pattern, position);
+    if (pattern.kind == PATTERN_GRADIENT_RADIAL) return radial_gradient(pattern, position);
+    if (pattern.kind == PATTERN_GRADIENT_ANGULAR) return angular_gradient(pattern, position);
+    if (pattern.kind == PATTERN_CHECKER) return checker(pattern, position);
+    if (pattern.kind == PATTERN_STRIPES) return stripes(pattern, position);
+    if (pattern.kind == PATTERN_BRICKS) return bricks(pattern, position);
+    if (pattern.kind == PATTERN_TILES) return tiles(pattern, position);
+    if (pattern.kind == PATTERN_HEXAGONS) return hexagons(pattern, position);
+    if (pattern.kind == PATTERN_WEAVE) return weave(pattern, position);
+    if (pattern.kind == PATTERN_SPOTS) return spots(pattern, position);
+    if (pattern.kind == PATTERN_SCRATCHES) return scratches(pattern, position);
+    return cracks(pattern, position);
+}
+
+/// A noise or pattern, 0..1. position: in cells, |position| < 2^20.
+Real pattern_value(Pattern pattern, Real2 position) {
+    Real2 place = warped_position(pattern, position);
+    if (pattern.kind < PATTERN_GRADIENT_LINEAR)
+        return fbm(pattern.kind, place, pattern.columns, pattern.seed, pattern.octaves, 0.5f,
+                   pattern.footprint);
+    if (pattern.kind == PATTERN_WOOD_RINGS) return wood_rings(pattern, place);
+    if (pattern.kind == PATTERN_MARBLE) return marble(pattern, place);
+    if (pattern.kind == PATTERN_GRUNGE) return grunge(pattern, place);
+    float shown = octave_visibility(pattern.footprint);
+    float mean = pattern_mean(pattern);
+    if (shown == 0.0f) return Real(mean);
+    // A bend makes the pattern denser in places, and a texel wider in it.
+    Pattern bent = pattern;
+    bent.footprint = pattern.footprint * (1.0f + 2.0f * pattern.warp);
+    return mean + (sharp_pattern(bent, place) - mean) * shown;
+}
+
+#endif
