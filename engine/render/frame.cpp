@@ -66,22 +66,30 @@ int divider_column(const View& view, int width) {
                       width);
 }
 
-Status draw_difference_frame(RendererState& state, const View& view, const FrameCamera& camera,
-                             const LightingInputs& inputs, const PictureTarget& whole) {
+/// The radiance of both sides, each a whole picture.
+Result<SidePictures> draw_radiance(RendererState& state, const View& view,
+                                   const FrameCamera& camera, const LightingInputs& inputs) {
     Result<gl::Framebuffer*> left = state.left.at(camera.size);
     if (!left) return passed_on(left);
     Result<gl::Framebuffer*> right = state.right.at(camera.size);
     if (!right) return passed_on(right);
-    PictureTarget side = {.area = whole.area, .output = OutputMode::Radiance};
+    PictureTarget side = {.area = {{0, 0}, camera.size}, .output = OutputMode::Radiance};
     side.framebuffer = *left;
     if (Status done = draw_side(state, {view, view.left, FrameSide::Left}, camera, inputs, side);
         !done)
-        return done;
+        return passed_on(done);
     side.framebuffer = *right;
     if (Status done = draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, side);
         !done)
-        return done;
-    return draw_difference(state, view, **left, **right, whole);
+        return passed_on(done);
+    return SidePictures{*left, *right};
+}
+
+Status draw_difference_frame(RendererState& state, const View& view, const FrameCamera& camera,
+                             const LightingInputs& inputs, const PictureTarget& target) {
+    const Result<SidePictures> sides = draw_radiance(state, view, camera, inputs);
+    if (!sides) return passed_on(sides);
+    return draw_difference(state, view, *sides->left, *sides->right, target);
 }
 
 /// Both sides, each into its own columns.
@@ -103,7 +111,16 @@ Status draw_sides(RendererState& state, const View& view, const FrameCamera& cam
             !done)
             return done;
     if (boundary == width) return {};
-    return draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, right);
+    if (!shows_difference_beside(view))
+        return draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, right);
+    right.area.size.x = camera.size.x;
+    if (Status done = draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, right);
+        !done)
+        return done;
+    PictureTarget difference = whole;
+    difference.area = {{width - camera.size.x, 0}, camera.size};
+    difference.picture_offset = difference.area.offset;
+    return draw_difference_frame(state, view, camera, inputs, difference);
 }
 
 double total_ms(const std::vector<PassCost>& passes) {
@@ -127,9 +144,19 @@ SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side)
 
 SideArea side_area(const View& view, glm::ivec2 size, FrameSide side) {
     if (view.compare != CompareMode::TwoViews) return {size, {0, 0}};
-    // Of an odd width the right view has the middle column.
-    const int half = size.x / 2;
-    return {{std::max(1, size.x - half), size.y}, {side == FrameSide::Right ? half : 0, 0}};
+    // What the width is not a multiple of goes to the last view; the others are drawn as wide and
+    // covered by their neighbours.
+    const int step = size.x / (shows_difference_beside(view) ? 3 : 2);
+    const int last = shows_difference_beside(view) ? 2 * step : step;
+    return {{std::max(1, size.x - last), size.y}, {side == FrameSide::Right ? step : 0, 0}};
+}
+
+Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size) {
+    state.timers.begin_frame();
+    const FrameCamera camera = frame_camera(view, state.scene->bounds_world, size, glm::vec2(0.0f));
+    const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
+    if (!inputs) return passed_on(inputs);
+    return draw_radiance(state, view, camera, *inputs);
 }
 
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,

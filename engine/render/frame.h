@@ -29,6 +29,13 @@ struct SideArea {
 };
 SideArea side_area(const View& view, glm::ivec2 size, FrameSide side);
 
+/// The radiance of the left and the right shading, each a whole picture of `size`.
+struct SidePictures {
+    const gl::Framebuffer* left = nullptr;
+    const gl::Framebuffer* right = nullptr;
+};
+Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size);
+
 /// The costs of the last frame drawn.
 FrameStats frame_stats(RendererState& state);
 

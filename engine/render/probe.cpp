@@ -2,6 +2,9 @@
 
 /// What is at one pixel: the passes are drawn again for that pixel alone.
 
+#include <cmath>
+
+#include "core/formulae/formulae.h"
 #include "render/frame.h"
 #include "render/renderer.h"
 
@@ -23,7 +26,12 @@ std::optional<Place> place_of(const RendererState& state, Pixel pixel) {
     const View& view = state.last_view;
     const SideArea right = side_area(view, whole, FrameSide::Right);
     bool is_right = view.compare == CompareMode::TwoViews && pixel.x >= right.offset.x;
-    const int x = is_right ? pixel.x - right.offset.x : pixel.x;
+    int x = is_right ? pixel.x - right.offset.x : pixel.x;
+    if (const int third = size.width - right.gbuffer_size.x;
+        shows_difference_beside(view) && pixel.x >= third) {
+        is_right = false;
+        x = pixel.x - third;
+    }
     if (view.compare == CompareMode::Split)
         is_right = static_cast<float>(pixel.x) >= view.divider * static_cast<float>(size.width);
     return Place{right.gbuffer_size,
@@ -101,6 +109,52 @@ Result<std::optional<Probe>> Renderer::probe(Pixel pixel) {
         probe.values[i] = {row[4 * i], row[4 * i + 1], row[4 * i + 2]};
     probe.uv = glm::vec2(probe[ChannelView::Uv0]);
     return std::optional<Probe>(probe);
+}
+
+Result<std::optional<SideValues>> Renderer::probe_sides(Pixel pixel) {
+    if (Status ready = require_content(*state_); !ready) return passed_on(ready);
+    if (!pick(pixel)) return std::optional<SideValues>();
+    Place place = *place_of(*state_, pixel);
+    View view = state_->last_view;
+    view.channel = ChannelView::Final;
+    const FrameCamera camera =
+        frame_camera(view, state_->scene->bounds_world, place.gbuffer_size, glm::vec2(0.0f));
+    const Result<gl::Framebuffer*> gbuffer =
+        draw_gbuffer(*state_, state_->gbuffer, view, camera, SurfaceSet::All, one_pixel(place));
+    if (!gbuffer) return passed_on(gbuffer);
+    const Result<gl::Framebuffer*> values = state_->probe_values.at({kChannelViewCount, 1});
+    if (!values) return passed_on(values);
+    std::array<glm::vec3, 2> found;
+    for (const FrameSide side : {FrameSide::Left, FrameSide::Right}) {
+        place.side = side;
+        if (Status done = draw_probe_channel(*state_, view, place, camera, **gbuffer, **values);
+            !done)
+            return passed_on(done);
+        found[side == FrameSide::Right ? 1 : 0] =
+            glm::vec3(read_texel(**values, {static_cast<int>(ChannelView::Final), 0}));
+    }
+    return std::optional(SideValues{found[0], found[1]});
+}
+
+Result<std::vector<float>> Renderer::differences(const View& view, PictureSize size) {
+    if (Status ready = require_content(*state_); !ready) return passed_on(ready);
+    View bare = view;
+    bare.channel = ChannelView::Final;
+    bare.background.kind = Background::Kind::Transparent;
+    const glm::ivec2 pixels(size.width, size.height);
+    const Result<SidePictures> sides = draw_both_sides(*state_, bare, pixels);
+    if (!sides) return passed_on(sides);
+    const std::vector<float> left = sides->left->read_color(0, {0, 0}, pixels);
+    const std::vector<float> right = sides->right->read_color(0, {0, 0}, pixels);
+    const float exposure = std::exp2(view.exposure_ev);
+    const auto luminance_at = [](const std::vector<float>& rgba, std::size_t i) {
+        return formulae::luminance(formulae::Real3(rgba[i], rgba[i + 1], rgba[i + 2]));
+    };
+    std::vector<float> result;
+    for (std::size_t i = 0; i < left.size(); i += 4)
+        if (left[i + 3] > 0.5f)
+            result.push_back(exposure * std::abs(luminance_at(left, i) - luminance_at(right, i)));
+    return result;
 }
 
 }  // namespace patina::render

@@ -60,6 +60,12 @@ struct Probe {
     }
 };
 
+/// The radiance that both shadings of a view give a pixel, linear, before exposure.
+struct SideValues {
+    glm::vec3 left = glm::vec3(0.0f);
+    glm::vec3 right = glm::vec3(0.0f);
+};
+
 /// What a pixel belongs to.
 struct Pick {
     int instance = -1;
@@ -157,6 +163,10 @@ class Renderer {
     /// What the view shows at a pixel of the picture of the last draw; nothing where no surface is.
     Result<std::optional<Probe>> probe(Pixel pixel);
     std::optional<Pick> pick(Pixel pixel);
+    Result<std::optional<SideValues>> probe_sides(Pixel pixel);
+    /// |luminance left - luminance right|, exposed, of each pixel that the model covers in a
+    /// picture of `size`, in no particular order.
+    Result<std::vector<float>> differences(const View& view, PictureSize size);
 
     /// Bounds of what is drawn, in the world.
     const Bounds& bounds_world() const;

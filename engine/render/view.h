@@ -71,7 +71,8 @@ struct View {
     Shading left;
     Shading right = {.model = ShadingModel::Phong};
     ChannelView channel = ChannelView::Final;
-    float difference_range = 1.0f;  ///< the luminance difference that is the top of the heat map
+    bool difference_beside = false;  ///< TwoViews only: the difference as a third view
+    float difference_range = 1.0f;   ///< the luminance difference that is the top of the heat map
 
     float environment_rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
     float environment_intensity = 1.0f;         ///< times the radiance of the map
@@ -85,6 +86,12 @@ struct View {
     bool operator==(const View&) const = default;
 };
 inline constexpr int kMaxLights = 16;
+
+/// Whether the finished picture has three parts: left, right and their difference.
+inline bool shows_difference_beside(const View& view) {
+    return view.compare == CompareMode::TwoViews && view.difference_beside &&
+           view.channel == ChannelView::Final;
+}
 
 /// The entry of `choices` whose id is `id`, or null.
 template <typename Enum, std::size_t N>
