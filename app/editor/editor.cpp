@@ -23,6 +23,7 @@ namespace {
 constexpr float kScaleStep = 0.25f;
 constexpr float kLeastScale = 1.0f;
 constexpr float kMostScale = 2.5f;
+constexpr float kHistogramHeight = 128.0f;  // logical
 /// Dear ImGui settles hovers and popups in the frames after an input.
 constexpr int kSettlingFrames = 3;
 
@@ -82,7 +83,8 @@ Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState
     requests.append(draw_history_panel(ui, layout.history, shown, view));
     requests.append(draw_viewport_bar(ui, layout.viewport_bar, shown, view));
     requests.append(draw_viewport(ui, layout.viewport, shown, view));
-    requests.append(draw_channel_strip(ui, layout.strip, shown, view));
+    requests.append(layout.histogram ? draw_difference_panel(ui, layout.strip, shown, view)
+                                     : draw_channel_strip(ui, layout.strip, shown, view));
     requests.append(draw_shelf(ui, layout.shelf, shown, view));
     requests.append(carry_shelf_drag(ui, layout.viewport, layout.layers, shown, view));
     requests.append(draw_status_bar(ui, layout.status_bar, shown, view));
@@ -124,7 +126,7 @@ Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
     Session::FrameInput input;
     const auto pixels = [](float size) { return std::max(static_cast<int>(size), 1); };
     input.viewport = {pixels(layout.viewport.width()), pixels(layout.viewport.height())};
-    if (!layout.strip.empty()) {
+    if (!layout.strip.empty() && !layout.histogram) {
         const float width = layout.strip.width() / render::kStripChannelCount;
         input.strip_card = {pixels(width), pixels(width * 134.0f / 240.0f)};
     }
@@ -143,11 +145,13 @@ struct Parts {
     Workspace& workspace;
     Facts& facts;
     bool scale_chosen = false;  ///< by the user, in this session
+    Rect viewport = {};         ///< of the last frame
+    Rect layers = {};
 };
 
 /// One frame. Returns the seconds to wait before the next; negative: until something happens.
 /// @param quiet  what came of the last input has been drawn
-double draw_frame(const Parts& parts, bool quiet) {
+double draw_frame(Parts& parts, bool quiet) {
     Ui& ui = parts.ui;
     Window& window = parts.window;
     Workspace& workspace = parts.workspace;
@@ -157,9 +161,14 @@ double draw_frame(const Parts& parts, bool quiet) {
     ViewState& view = workspace.view();
     {
         const RootWindow root;
-        const LayoutNeeds needs{session.has_document() ? session.document().materials.size() : 0};
+        const bool open = session.has_document();
+        const LayoutNeeds needs{
+            open ? session.document().materials.size() : 0,
+            open && render::shows_difference_beside(view.view) ? kHistogramHeight : 0.0f};
         const Layout layout = layout_for(ui, root.rect(), view, needs);
         workspace.set_has_log_panel(!layout.history.empty());
+        parts.viewport = layout.viewport;
+        parts.layers = layout.layers;
         session.update(view, frame_input(layout, view));
         const Shown shown = session.shown(view);
         Requests requests = draw_panels(ui, layout, shown, view);
@@ -177,6 +186,21 @@ double draw_frame(const Parts& parts, bool quiet) {
     if (const Status written = ui.map.end_frame(); !written)
         std::fprintf(stderr, "patina: %s\n", written.error().message.c_str());
     return session.wants_frame() ? 0.0 : ui.seconds_to_wake();
+}
+
+/// On a part of the model files go to that part's material.
+void take_dropped(const Parts& parts, const Window::Dropped& dropped) {
+    Requests requests;
+    DropPlace place = DropPlace::Window;
+    const Rect& viewport = parts.viewport;
+    if (parts.layers.contains(dropped.x, dropped.y)) place = DropPlace::Layers;
+    if (viewport.contains(dropped.x, dropped.y)) {
+        place = DropPlace::Viewport;
+        requests.ask(PickAt{(dropped.x - viewport.x0) / viewport.width(),
+                            (dropped.y - viewport.y0) / viewport.height()});
+    }
+    for (const auto& path : dropped.paths) requests.ask(TakeFile{path, place});
+    parts.workspace.carry_out(std::move(requests));
 }
 
 std::string title_of(Session& session) {
@@ -229,7 +253,7 @@ Status run_window(const Options& options) {
     workspace.view().splitters = settings.splitters;
     workspace.view().unfolded.shelf = settings.shelf_open;
     workspace.session().set_keep_previous(settings.keep_previous);
-    if (options.file) workspace.take_file(*options.file);
+    if (options.file) workspace.take_file({*options.file});
     Facts facts;
     Parts parts{ui, window, workspace, facts};
     std::string title;
@@ -241,7 +265,7 @@ Status run_window(const Options& options) {
         else
             window.wait(wait_seconds);
         if (window.take_input()) frames_left = kSettlingFrames;
-        for (const auto& path : window.take_dropped()) workspace.take_file(path);
+        for (const Window::Dropped& dropped : window.take_dropped()) take_dropped(parts, dropped);
         if (window.close_wanted()) {
             window.refuse_close();
             workspace.quit();

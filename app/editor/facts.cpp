@@ -31,6 +31,7 @@ void Facts::state_document(UiMap& map, const Shown& shown) {
     map.set_fact("redo", yes_or_no(shown.history.can_redo));
     map.set_fact("steps", std::to_string(shown.history.labels.size()));
     map.set_fact("material", shown.material ? shown.material->name : "");
+    map.set_fact("environment", shown.document ? shown.document->environment.name : "");
     map.set_fact("layer", shown.layer ? shown.layer->name : "");
     if (hashed_ != shown.document) {
         hashed_ = shown.document;

@@ -26,7 +26,7 @@ constexpr Measures measures_of(WidthClass width_class) {
         case WidthClass::Medium:
             return {256, 284, 140, 71};
         case WidthClass::Narrow:
-            return {0, 284, theme::kPanelTitle, 71};
+            return {0, 284, 140, 71};
     }
     return {};
 }
@@ -72,15 +72,17 @@ void cut_center_column(const Ui& ui, Layout& layout, Rect column, const ViewStat
                        const LayoutNeeds& needs) {
     const Measures measures = measures_of(layout.width_class);
     if (!view.panels_hidden && needs.histogram <= 0.0f) {
-        const bool title_only = !view.unfolded.shelf || layout.width_class == WidthClass::Narrow;
+        const bool narrow = layout.width_class == WidthClass::Narrow;
+        const bool open = narrow ? view.unfolded.narrow_shelf : view.unfolded.shelf;
         const float standard =
-            title_only ? theme::kPanelTitle : chosen(view.splitters.shelf, measures.shelf);
+            open ? chosen(view.splitters.shelf, measures.shelf) : theme::kPanelTitle;
         layout.shelf = column.cut_bottom(ui.px(standard));
         column.cut_bottom(ui.px(theme::kGap));
     }
     layout.center = column;
     layout.viewport_bar = column.cut_top(ui.px(theme::kViewportBar));
     const float strip = needs.histogram > 0.0f ? needs.histogram : measures.strip;
+    layout.histogram = needs.histogram > 0.0f;
     const float least = ui.px(kLeastViewport);
     if (!view.panels_hidden && column.height() - ui.px(strip) >= least)
         layout.strip = column.cut_bottom(ui.px(strip));
@@ -129,10 +131,11 @@ Layout layout_for(const Ui& ui, const Rect& window, const ViewState& view,
     layout.status_bar = rest.cut_bottom(ui.px(theme::kStatusBar));
     rest = rest.inset(gap);
     if (!view.panels_hidden) {
-        const bool two_views_only = needs.histogram > 0.0f;
+        // Three views need the room of the left column.
+        const bool views_only = needs.histogram > 0.0f && layout.width_class != WidthClass::Wide;
         const Columns columns =
             columns_of(measures_of(layout.width_class), view.splitters, logical_width);
-        if (columns.left > 0.0f && !two_views_only) {
+        if (columns.left > 0.0f && !views_only) {
             layout.left = rest.cut_left(ui.px(columns.left));
             rest.cut_left(gap);
             cut_left_column(ui, layout, layout.left, view, needs);

@@ -21,7 +21,8 @@ struct Layout {
     Rect center;     ///< the panel with bar, viewport and strip
     Rect viewport_bar;
     Rect viewport;
-    Rect strip;
+    Rect strip;  ///< of channels, or the histogram
+    bool histogram = false;
     Rect shelf;
     Rect right;
     Rect status_bar;

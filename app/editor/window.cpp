@@ -48,7 +48,7 @@ struct Pointer {
 /// What GLFW's callbacks find through the window.
 struct Events {
     bool input = true;
-    std::vector<std::filesystem::path> dropped;
+    std::vector<Window::Dropped> dropped;
     std::deque<HandEvent> hand;
     Pointer pointer;
 };
@@ -132,10 +132,16 @@ void install_callbacks(GLFWwindow* handle) {
     glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) { mark_input(w); });
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) { mark_input(w); });
     glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
-        for (int i = 0; i < count; ++i) events_of(w).dropped.emplace_back(paths[i]);
+        double x = 0.0;
+        double y = 0.0;
+        glfwGetCursorPos(w, &x, &y);
+        events_of(w).dropped.push_back({std::vector<std::filesystem::path>(paths, paths + count),
+                                        static_cast<float>(x), static_cast<float>(y)});
         mark_input(w);
     });
 }
+
+constexpr float kDoubleClickSeconds = 0.4f;
 
 /// What one frame has been given so far.
 struct FrameInput {
@@ -197,6 +203,8 @@ void feed(GLFWwindow* handle, Events& events) {
         events.hand.pop_front();
     }
     ImGuiIO& io = ImGui::GetIO();
+    // Press, release, press and release are four frames: slow ones must not part a double click.
+    io.MouseDoubleClickTime = std::min(kDoubleClickSeconds + 4.0f * io.DeltaTime, 1.5f);
     io.MousePos = events.pointer.position;
     std::copy(events.pointer.down.begin(), events.pointer.down.end(), io.MouseDown);
 }
@@ -277,7 +285,7 @@ bool Window::take_input() {
     return std::exchange(state_->events.input, false) || !state_->events.hand.empty();
 }
 
-std::vector<std::filesystem::path> Window::take_dropped() {
+std::vector<Window::Dropped> Window::take_dropped() {
     return std::exchange(state_->events.dropped, {});
 }
 

@@ -44,8 +44,13 @@ class Window {
     float content_scale() const;
     /// Whether input arrived since the last call.
     bool take_input();
-    /// Files dropped on the window since the last call.
-    std::vector<std::filesystem::path> take_dropped();
+    /// Files dropped on the window since the last call, and where in it.
+    struct Dropped {
+        std::vector<std::filesystem::path> paths;
+        float x = 0.0f;
+        float y = 0.0f;
+    };
+    std::vector<Dropped> take_dropped();
 
     void begin_frame();
     /// Draws what Dear ImGui collected and shows it.

@@ -59,6 +59,17 @@ std::optional<Siblings> siblings_of(const std::vector<LayerPtr>& layers, LayerId
     return std::nullopt;
 }
 
+/// The topmost layer that is not in `before`; null when all are.
+LayerPtr first_new(const std::vector<LayerPtr>& layers, const Material& before) {
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+        if (!find_layer(before, (*layer)->id)) return *layer;
+        const auto* group = std::get_if<GroupContent>(&(*layer)->content);
+        if (group == nullptr) continue;
+        if (LayerPtr found = first_new(group->children, before)) return found;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 // --- requests ------------------------------------------------------------------------------------
@@ -70,7 +81,7 @@ void Workspace::carry_out(Requests requests) {
 
 void Workspace::carry_out_one(const Request& request) {
     if (const auto* action = std::get_if<Action>(&request)) perform(*action);
-    if (const auto* file = std::get_if<TakeFile>(&request)) take_file(file->path);
+    if (const auto* file = std::get_if<TakeFile>(&request)) take_file(*file);
     if (const auto* preset = std::get_if<ApplyPreset>(&request)) apply_preset_by_id(*preset);
     if (const auto* choose = std::get_if<ChooseImageFor>(&request)) choose_image_for(*choose);
     if (const auto* cancel = std::get_if<CancelJob>(&request)) session_->cancel(cancel->job);
@@ -210,11 +221,12 @@ void Workspace::quit() {
     when_edits_may_go([this] { quitting_ = true; });
 }
 
-void Workspace::take_file(const fs::path& path) {
+void Workspace::take_file(const TakeFile& file) {
+    const fs::path& path = file.path;
     const std::string ending = ending_of(path);
     if (is_one_of(ending, kModels)) {
         when_edits_may_go([this, path] { session_->open(path); });
-    } else if (ending == ".hdr") {
+    } else if (ending == ".hdr" || (ending == ".exr" && file.place != DropPlace::Layers)) {
         session_->use_environment_file(path);
     } else if (ending == ".json") {
         apply_preset_from(path);
@@ -222,13 +234,8 @@ void Workspace::take_file(const fs::path& path) {
         if (!session_->has_document())
             session_->toast(ToastKind::Note, "Open a model before dropping images");
         else
-            session_->with_image(path, [this](const ImageAssetPtr& image) {
-                session_->apply(in_one_step(
-                    "Add image " + image->name,
-                    {add_image(image), add_layer(*session_->selected_material(view_),
-                                                 image_layer(*image), top_of_stack())}));
-                session_->history().seal();
-            });
+            session_->with_image(path,
+                                 [this](const ImageAssetPtr& image) { add_image_layer(image); });
     } else {
         session_->toast(ToastKind::Error,
                         fmt::format("Cannot use {}: not a model, image, preset or panorama",
@@ -250,6 +257,16 @@ void Workspace::use_image(const ImageAssetPtr& image, Edit edit, std::string lab
     session_->history().seal();
     session_->apply(in_one_step(std::move(label), {add_image(image), std::move(edit)}));
     session_->history().seal();
+}
+
+void Workspace::add_image_layer(const ImageAssetPtr& image) {
+    const MaterialPtr material = session_->selected_material(view_);
+    if (!material) return;
+    const LayerPtr selected = session_->selected_layer(view_);
+    const LayerPlace place = selected ? above(selected->id) : top_of_stack();
+    edit_and_select_new(
+        in_one_step("Add image " + image->name,
+                    {add_image(image), add_layer(*material, image_layer(*image), place)}));
 }
 
 void Workspace::choose_image_for(const ChooseImageFor& request) {
@@ -312,6 +329,17 @@ void Workspace::add_layer_and_select(const Layer& layer) {
     session_->history().seal();
 }
 
+/// What an edit made (a copy, a group, what was pasted) is what the next one is about.
+void Workspace::edit_and_select_new(const Edit& edit) {
+    const MaterialPtr before = session_->selected_material(view_);
+    session_->history().seal();
+    const bool applied = session_->apply(edit);
+    session_->history().seal();
+    const MaterialPtr after = session_->selected_material(view_);
+    if (!applied || !before || !after || before == after) return;
+    if (const LayerPtr made = first_new(after->stack, *before)) view_.layer = made->id;
+}
+
 void Workspace::select_neighbour(int step) {
     const MaterialPtr material = session_->selected_material(view_);
     if (!material) return;
@@ -349,11 +377,7 @@ void Workspace::perform_layer(Action action) {
     const MaterialPtr material = session_->selected_material(view_);
     if (!material) return;
     const LayerPtr layer = session_->selected_layer(view_);
-    const auto edit = [this](const Edit& each) {
-        session_->history().seal();
-        session_->apply(each);
-        session_->history().seal();
-    };
+    const auto edit = [this](const Edit& each) { edit_and_select_new(each); };
     switch (action) {
         case Action::Undo:
             session_->history().undo();
@@ -370,12 +394,7 @@ void Workspace::perform_layer(Action action) {
         case Action::AddAdjustment:
             return add_layer_and_select(adjustment_layer(AdjustmentKind::Levels));
         case Action::AddImageLayer:
-            ask_image([this](const ImageAssetPtr& image) {
-                const MaterialPtr now = session_->selected_material(view_);
-                if (now)
-                    use_image(image, add_layer(*now, image_layer(*image), top_of_stack()),
-                              "Add image " + image->name);
-            });
+            ask_image([this](const ImageAssetPtr& image) { add_image_layer(image); });
             return;
         case Action::RenameMaterial:
             view_.renaming_material = material->id;

@@ -38,8 +38,9 @@ class Workspace {
     /// Edits first, in one go, then the rest.
     void carry_out(Requests requests);
     void perform(Action action);
-    /// A model is opened, an image becomes a layer, a preset is applied, a panorama lights.
-    void take_file(const std::filesystem::path& path);
+    /// A model is opened, an image becomes a layer, a preset is applied, a panorama lights; an .exr
+    /// is an image where it is dropped on the layers, and a panorama elsewhere.
+    void take_file(const TakeFile& file);
     /// Asks first when there are unsaved edits.
     void quit();
     bool quitting() const { return quitting_; }
@@ -54,6 +55,7 @@ class Workspace {
     void perform_layer(Action action);
     void perform_view(Action action);
     void add_layer_and_select(const Layer& layer);
+    void edit_and_select_new(const Edit& edit);
     void select_neighbour(int step);
     void move_selected(int step);
     void save_then(std::function<void()> after);
@@ -63,6 +65,7 @@ class Workspace {
     void choose_image_for(const ChooseImageFor& request);
     void when_edits_may_go(std::function<void()> go_on);
     void use_image(const ImageAssetPtr& image, Edit edit, std::string label);
+    void add_image_layer(const ImageAssetPtr& image);
     void apply_preset_by_id(const ApplyPreset& request);
     void apply_preset_from(const std::filesystem::path& path);
 

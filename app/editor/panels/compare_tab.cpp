@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formulae/formulae.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
@@ -71,6 +72,56 @@ std::vector<TableRow> cost_rows(const render::FrameStats& stats) {
     return rows;
 }
 
+bool unfold(Ui& ui, Rect& rest, std::string_view title, bool& open) {
+    rest.cut_top(ui.px(6));
+    const Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
+    hairline(ui, head);
+    if (section(ui, head, {.title = title, .open = open})) open = !open;
+    return open;
+}
+
+std::vector<TableRow> value_rows(const render::SideValues& values) {
+    const auto cell = [](float value) {
+        return number_text(static_cast<double>(value), {.decimals = 3});
+    };
+    const auto luminance = [&](const glm::vec3& color) {
+        return cell(formulae::luminance(formulae::Real3(color.x, color.y, color.z)));
+    };
+    const glm::vec3& left = values.left;
+    const glm::vec3& right = values.right;
+    return {{"Red", cell(left.x), cell(right.x)},
+            {"Green", cell(left.y), cell(right.y)},
+            {"Blue", cell(left.z), cell(right.z)},
+            {"Luminance", luminance(left), luminance(right), true}};
+}
+
+/// The values under the crosshair, and the histogram where it has no panel of its own.
+void draw_comparison(Ui& ui, Rect& rest, const ComparisonShown& comparison, ViewState& state) {
+    if (unfold(ui, rest, "Under the crosshair", state.unfolded.crosshair)) {
+        if (comparison.values)
+            draw_table(ui, rest, state.view, value_rows(*comparison.values));
+        else
+            text(ui, rest.cut_top(ui.px(24)).inset(ui.px(12), 0), ui.fonts.body13, theme::kText3,
+                 "Click the model to compare a point");
+    }
+    if (render::shows_difference_beside(state.view)) return;
+    if (!unfold(ui, rest, "Difference", state.unfolded.difference)) return;
+    const render::DifferenceStats& stats = comparison.difference;
+    draw_difference_plot(ui, rest.cut_top(ui.px(104)).inset(ui.px(12), 0), stats,
+                         state.view.difference_range);
+    rest.cut_top(ui.px(4));
+    const auto figure = [&](std::string_view name, float value) {
+        const Rect row = rest.cut_top(ui.px(22)).inset(ui.px(12), 0);
+        const std::string words = number_text(static_cast<double>(value), {.decimals = 3});
+        text(ui, row, ui.fonts.value12, theme::kText2, name);
+        text(ui, row, ui.fonts.value12, theme::kText, words, Align::Right);
+        ui.map.add(name, "figure", words, visible_part(row), true);
+    };
+    figure("Mean", stats.mean);
+    figure("95 % below", stats.below_95);
+    figure("Largest", stats.largest);
+}
+
 }  // namespace
 
 Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& state) {
@@ -98,12 +149,17 @@ Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewStat
                                                 "heat map, 0.01 to 8"},
                                     static_cast<double>(view.difference_range));
     if (range) view.difference_range = static_cast<float>(*range);
+    const bool beside = render::shows_difference_beside(view);
+    if (labelled_checkbox(ui, line_box(), "Show the difference beside them", beside,
+                          "Two views and their difference as heat, with its histogram")) {
+        view.difference_beside = !beside;
+        view.compare = render::CompareMode::TwoViews;
+        view.channel = render::ChannelView::Final;
+    }
     rest.cut_top(ui.px(6));
-    const Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
-    hairline(ui, head);
-    if (section(ui, head, {.title = "Cost", .open = state.unfolded.cost}))
-        state.unfolded.cost = !state.unfolded.cost;
-    if (state.unfolded.cost) draw_table(ui, rest, view, cost_rows(shown.cost.frame));
+    if (unfold(ui, rest, "Cost", state.unfolded.cost))
+        draw_table(ui, rest, view, cost_rows(shown.cost.frame));
+    if (shown.comparison) draw_comparison(ui, rest, *shown.comparison, state);
     area.set_height(rest.y0 - top + ui.px(12));
     return {};
 }

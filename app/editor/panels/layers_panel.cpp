@@ -405,8 +405,11 @@ Requests draw_layers_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     Rect rest = rect;
     std::vector<Row> rows;
     if (shown.material) rows = rows_of(*shown.material, view);
+    // Those that are folded away count too.
+    std::vector<Row> all;
+    if (shown.material) flatten(shown.material->stack, {.all = true}, view, all);
     Requests requests =
-        draw_title(ui, rest.cut_top(ui.px(theme::kPanelTitle)), shown, rows.size(), view);
+        draw_title(ui, rest.cut_top(ui.px(theme::kPanelTitle)), shown, all.size(), view);
     if (view.layer_search) name_search(ui, rest, "Search layers", *view.layer_search);
     draw_hint(ui, rest.cut_bottom(ui.px(30)));
     if (!shown.material) return requests;

@@ -18,6 +18,11 @@ Requests draw_history_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewSt
 Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_channel_strip(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+/// Below two views and their difference: how often it is how large.
+Requests draw_difference_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+/// Its bars over the heat map's scale, from 0 to `range`.
+void draw_difference_plot(Ui& ui, const Rect& rect, const render::DifferenceStats& stats,
+                          float range);
 Requests draw_shelf(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 /// Carries what is dragged from the shelf: its ghost, and the drop on the model or the layer list.
 Requests carry_shelf_drag(Ui& ui, const Rect& viewport, const Rect& layers, const Shown& shown,

@@ -14,8 +14,7 @@ Requests draw_properties(Ui& ui, const Rect& rect, bool narrow, const Shown& sho
     rest.cut_top(ui.px(1));
     tabs.cut_left(ui.px(theme::kPadding));
     // Next to the tabs of the selection: what the view needs, comparing or explaining.
-    const bool comparing =
-        view.view.compare != render::CompareMode::Single && view.tool != ViewportTool::Probe;
+    const bool comparing = is_comparing(view);
     const RightTab chosen =
         !narrow && view.right_tab == RightTab::Layers ? RightTab::Layer : view.right_tab;
     if (narrow && tab(ui, tabs, {"Layers", chosen == RightTab::Layers}))

@@ -254,7 +254,7 @@ void draw_title(Ui& ui, Rect title, bool wide, bool open, const Categories& cate
     const auto tab_of = [&](std::string_view label, ShelfTab which) {
         if (!tab(ui, title, {label, open && view.shelf_tab == which})) return;
         view.shelf_tab = which;
-        view.unfolded.shelf = true;
+        view.unfolded.shelf = view.unfolded.narrow_shelf = true;
     };
     tab_of("Presets", ShelfTab::Presets);
     tab_of("Images", ShelfTab::Images);
@@ -263,7 +263,7 @@ void draw_title(Ui& ui, Rect title, bool wide, bool open, const Categories& cate
                     {.icon = open ? icon::kChevronDown : icon::kChevronUp,
                      .label = open ? "Fold the shelf" : "Unfold the shelf",
                      .size = 11}))
-        view.unfolded.shelf = !open;
+        view.unfolded.shelf = view.unfolded.narrow_shelf = !open;
     if (!open) return;
     title.cut_right(ui.px(4));
     const float search = ui.px(wide ? 220 : 132);

@@ -269,6 +269,8 @@ Requests draw_constant(Ui& ui, const Rect& rect, const EditedSource& edited, boo
 
 Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, const Shown& shown) {
     Requests requests;
+    // The row above has the same value with the same name.
+    const Place place(ui, "Source");
     const auto kind = static_cast<int>(edited.source.index());
     if (const auto chosen = segmented(ui, next_line(ui, rest), kKinds, kind))
         requests.append(change_kind(edited, *chosen, shown));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/formulae/formulae.h"
 #include "document/edits.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
@@ -75,6 +76,14 @@ Chip shading_chip(const render::Shading& shading, const render::SideCost& cost, 
             .second = megabytes(cost.bytes(), 1)};
 }
 
+Chip difference_chip(const render::View& view) {
+    return {.title = "Difference",
+            .note = {},
+            .first = fmt::format("|{} \u2212 {}| in luminance", label_of(view.left),
+                                 label_of(view.right)),
+            .second = {}};
+}
+
 void draw_labels(Ui& ui, const Rect& rect, const Shown& shown, const render::View& view) {
     const float y = rect.y0 + ui.px(8);
     const float gap = ui.px(8);
@@ -102,23 +111,46 @@ void draw_labels(Ui& ui, const Rect& rect, const Shown& shown, const render::Vie
             draw_chip(ui, x + ui.px(12), y, shading_chip(view.right, right, roomy), Align::Left);
             return;
         }
-        case render::CompareMode::TwoViews:
-            draw_chip(ui, rect.x0 + gap, y, shading_chip(view.left, stats.left, true), Align::Left);
-            draw_chip(ui, rect.center_x() + gap, y, shading_chip(view.right, right, true),
+        case render::CompareMode::TwoViews: {
+            const float step = rect.width() / static_cast<float>(view_columns(view));
+            const bool notes = step / ui.scale > 240;
+            draw_chip(ui, rect.x0 + gap, y, shading_chip(view.left, stats.left, notes),
                       Align::Left);
-            return;
-        case render::CompareMode::Difference: {
-            const std::string pair =
-                fmt::format("{} \u2212 {}", label_of(view.left), label_of(view.right));
-            draw_chip(ui, rect.x0 + gap, y,
-                      {.title = "Difference",
-                       .note = pair,
-                       .first = "absolute luminance, linear",
-                       .second = {}},
+            draw_chip(ui, rect.x0 + step + gap, y, shading_chip(view.right, right, notes),
                       Align::Left);
+            if (render::shows_difference_beside(view))
+                draw_chip(ui, rect.x0 + 2 * step + gap, y, difference_chip(view), Align::Left);
             return;
         }
+        case render::CompareMode::Difference:
+            draw_chip(ui, rect.x0 + gap, y, difference_chip(view), Align::Left);
+            return;
     }
+}
+
+/// Says that something else than the whole material is on screen, and ends it.
+void draw_part_note(Ui& ui, const Rect& rect, const Shown& shown, ViewState& state) {
+    const bool mask = state.viewed_mask.value != 0;
+    const LayerId id = mask ? state.viewed_mask : state.solo;
+    if (id.value == 0 || !shown.material) return;
+    const LayerPtr layer = find_layer(*shown.material, id);
+    if (!layer) return;
+    const std::string words = mask ? "Mask of " + layer->name : layer->name + " alone";
+    const float most = std::min(rect.width() * 0.4f, ui.px(320));
+    const float width =
+        std::min(std::ceil(text_width(ui.fonts.medium13, words)) + 1, most) + ui.px(50);
+    const float x = std::floor(rect.center_x() - 0.5f * width);
+    const float y = rect.y1 - ui.px(44);
+    Rect box{x, y, x + width, y + ui.px(32)};
+    fill(ui, box, theme::kOverlay, 6);
+    outline(ui, box, theme::kAccent, 6, 1);
+    note(ui, box, {.label = words, .kind = "label"});
+    const bool closed = icon_button(
+        ui, box.cut_right(ui.px(32)),
+        {.icon = icon::kClose, .label = "Show the whole material", .key = "Esc", .size = 13});
+    box.cut_left(ui.px(12));
+    text(ui, box, ui.fonts.medium13, theme::kText, words);
+    if (closed) state.solo = state.viewed_mask = {};
 }
 
 // --- the divider ---------------------------------------------------------------------------------
@@ -328,6 +360,52 @@ void draw_crosshair(const Ui& ui, float x, float y) {
     }
 }
 
+/// Between views beside each other.
+void draw_seams(const Ui& ui, const Rect& rect, const render::View& view) {
+    const int columns = view_columns(view);
+    for (int i = 1; i < columns; ++i) {
+        const float x = std::floor(rect.x0 + rect.width() * static_cast<float>(i) /
+                                                 static_cast<float>(columns));
+        fill(ui, {x - ui.px(1), rect.y0, x + ui.px(1), rect.y1}, theme::kBase);
+    }
+}
+
+/// A small plate at the bottom of each view: the luminance under the crosshair.
+void draw_luminances(Ui& ui, const Rect& rect, const render::View& view,
+                     const render::SideValues& values) {
+    const auto luminance = [](const glm::vec3& color) {
+        return static_cast<double>(formulae::luminance(formulae::Real3(color.x, color.y, color.z)));
+    };
+    const double left = luminance(values.left);
+    const double right = luminance(values.right);
+    const auto words = [](std::string_view name, double value) {
+        return fmt::format("{} {}", name, number_text(value, {.decimals = 3}));
+    };
+    const std::array<std::string, 3> lines = {words("Luminance", left), words("Luminance", right),
+                                              words("Difference", std::abs(left - right))};
+    const int columns = view_columns(view);
+    for (int i = 0; i < columns && columns > 1; ++i) {
+        const std::string& line_of = lines[static_cast<std::size_t>(i)];
+        const float width = text_width(ui.fonts.value12, line_of) + ui.px(20);
+        const float x =
+            rect.x0 + rect.width() * static_cast<float>(i) / static_cast<float>(columns) + ui.px(8);
+        const Rect box{x, rect.y1 - ui.px(36), x + std::ceil(width), rect.y1 - ui.px(8)};
+        fill(ui, box, theme::kOverlay, 4);
+        text(ui, box, ui.fonts.value12, theme::kText, line_of, Align::Center);
+        note(ui, box, {.label = line_of, .kind = "label"});
+    }
+}
+
+/// The same point of the model in every view of it.
+void draw_crosshairs(const Ui& ui, const Rect& rect, const render::View& view,
+                     const glm::vec2& at) {
+    const auto columns = static_cast<float>(view_columns(view));
+    const float within = at.x * columns - std::floor(at.x * columns);
+    for (float column = 0.0f; column < columns; ++column)
+        draw_crosshair(ui, rect.x0 + (column + within) / columns * rect.width(),
+                       rect.y0 + at.y * rect.height());
+}
+
 // --- toasts and the empty state ------------------------------------------------------------------
 
 Requests draw_toast(Ui& ui, const Rect& box, const ToastShown& toast) {
@@ -446,6 +524,11 @@ Requests pick_with(const Rect& rect, const Press& pressed, ViewState& state) {
     const bool probing = state.tool == ViewportTool::Probe;
     if (pressed.clicked && dragged.x == 0.0f && dragged.y == 0.0f)
         requests.ask(PickAt{x, y, probing});
+    // With the numbers beside it a click says which point they are of.
+    const bool numbers = is_comparing(state) && (state.right_tab == RightTab::Inspect ||
+                                                 render::shows_difference_beside(state.view));
+    if (pressed.clicked && numbers && dragged.x == 0.0f && dragged.y == 0.0f)
+        state.crosshair = glm::vec2(x, y);
     return requests;
 }
 
@@ -467,18 +550,21 @@ Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& 
     // What lies on top takes the pointer first.
     requests.append(draw_toasts(ui, rect, shown.toasts));
     requests.append(draw_tools(ui, rect, shown, state));
+    draw_part_note(ui, rect, shown, state);
     if (split) draw_divider(ui, rect, state.view);
     draw_labels(ui, rect, shown, view);
-    draw_gizmo(ui, rect, view.camera);
+    draw_seams(ui, rect, view);
+    if (!shown.comparison || !shown.comparison->values || view_columns(view) == 1)
+        draw_gizmo(ui, rect, view.camera);
     if (const auto scale = scale_of(view); scale && shown.toasts.empty())
         draw_scale(ui, rect, *scale);
     const Press pressed =
         press(ui, rect, {.label = "Model", .kind = "viewport", .focusable = false});
     requests.append(move_camera(ui, rect, pressed, shown, state));
     requests.append(pick_with(rect, pressed, state));
-    if (state.crosshair)
-        draw_crosshair(ui, rect.x0 + state.crosshair->x * rect.width(),
-                       rect.y0 + state.crosshair->y * rect.height());
+    if (state.crosshair) draw_crosshairs(ui, rect, view, *state.crosshair);
+    if (shown.comparison && shown.comparison->values)
+        draw_luminances(ui, rect, view, *shown.comparison->values);
     if (shown.hovered && pressed.hovered && !pressed.held)
         draw_probe(ui, rect, *shown.hovered, shown, view.channel);
     return requests;

@@ -161,8 +161,12 @@ Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
         background_menu(ui, view);
         rest.cut_right(ui.px(4));
     }
+    // "PBR Neutral" would be cut off where there is little room.
+    const bool neutral = view.tone_map == render::ToneMap::PbrNeutral;
     const auto tone = choice_combo(ui, field_at_right(ui, rest, wide ? 148 : 84),
-                                   {.label = "Tone map", .shown_label = wide ? "Tone" : ""},
+                                   {.label = "Tone map",
+                                    .shown_label = wide ? "Tone" : "",
+                                    .shown_value = !wide && neutral ? "Neutral" : ""},
                                    render::kToneMaps, view.tone_map);
     if (tone) view.tone_map = *tone;
     rest.cut_right(ui.px(6));

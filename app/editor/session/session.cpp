@@ -206,15 +206,23 @@ void Session::follow_texel(const ViewState& view) {
 
 // --- a frame -------------------------------------------------------------------------------------
 
+/// A layer alone or a mask, made anew only when something else is to be seen: another node would be
+/// composited again.
+MaterialPtr Session::part_of(const MaterialPtr& material, const ViewState& view) {
+    const Part wanted{material, view.viewed_mask, view.solo};
+    if (part_shown_ && part_ == wanted) return part_shown_;
+    part_ = wanted;
+    part_shown_ = std::make_shared<const Material>(
+        view.viewed_mask.value != 0 ? with_mask_shown(*material, view.viewed_mask)
+                                    : with_only_layer(*material, view.solo));
+    return part_shown_;
+}
+
 void Session::show_materials(const ViewState& view) {
     std::vector<MaterialPtr> materials = history_->document()->materials;
-    for (MaterialPtr& material : materials) {
-        if (material->id != view.material) continue;
-        if (view.viewed_mask.value != 0)
-            material = std::make_shared<Material>(with_mask_shown(*material, view.viewed_mask));
-        else if (view.solo.value != 0)
-            material = std::make_shared<Material>(with_only_layer(*material, view.solo));
-    }
+    for (MaterialPtr& material : materials)
+        if (material->id == view.material && (view.viewed_mask.value != 0 || view.solo.value != 0))
+            material = part_of(material, view);
     live_.show(std::move(materials), images_, view.material);
 }
 
@@ -260,6 +268,30 @@ void Session::follow_environment() {
     if (name != environment_name_) light_with(name);
 }
 
+/// Numbers about what is compared, when someone looks at them and nothing moves.
+void Session::follow_comparison(ViewState& view, bool moving) {
+    const bool looked_at =
+        view.right_tab == RightTab::Inspect || render::shows_difference_beside(view.view);
+    if (!is_comparing(view) || !looked_at || view.view.channel != render::ChannelView::Final)
+        return comparison_.reset();
+    const int drawn = picture_.pictures_drawn();
+    if (moving || (comparison_ && compared_picture_ == drawn && compared_at_ == view.crosshair))
+        return;
+    ComparisonShown comparison{.difference = picture_.difference(), .values = {}};
+    if (view.crosshair) comparison.values = picture_.sides(*view.crosshair);
+    // Beside the model there is nothing to compare.
+    if (!comparison.values) view.crosshair.reset();
+    if (comparison.values) {
+        const float exposure = std::exp2(view.view.exposure_ev);
+        comparison.values->left *= exposure;
+        comparison.values->right *= exposure;
+    }
+    compared_picture_ = drawn;
+    compared_at_ = view.crosshair;
+    comparison_ = std::move(comparison);
+    wants_frame_ = true;
+}
+
 void Session::update(ViewState& view, const FrameInput& input) {
     wants_frame_ = false;
     jobs_.deliver();
@@ -297,6 +329,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         if (picture_.draw(drawn, input.viewport, input.strip_card, input.moving))
             frame_ms_ = picture_.frame_ms();
         if (picture_.out_of_date()) wants_frame_ = true;
+        follow_comparison(view, input.moving);
         hovered_.reset();
         if (input.hovered) hovered_ = picture_.probe(*input.hovered);
     }
@@ -340,6 +373,7 @@ Shown Session::shown(const ViewState& view) {
                       ImVec2(1, 0)};
     shown.strip = {reinterpret_cast<ImTextureID>(picture_.strip_texture())};
     shown.texel = texel_;
+    shown.comparison = comparison_;
     shown.hovered = hovered_;
     return shown;
 }

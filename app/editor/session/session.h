@@ -109,12 +109,21 @@ class Session {
 
     void adopt(io::LoadedDocument loaded, std::filesystem::path path);
     void select_something(ViewState& view) const;
+    /// What of a material is shown instead of it.
+    struct Part {
+        MaterialPtr material;
+        LayerId mask;
+        LayerId solo;
+        bool operator==(const Part&) const = default;
+    };
+    MaterialPtr part_of(const MaterialPtr& material, const ViewState& view);
     void show_materials(const ViewState& view);
     void follow_environment();
     void light_with(const std::string& name);
     void filter_environment(const EnvironmentSource& source, std::string label);
     void follow_texel(const ViewState& view);
     void draw_still();
+    void follow_comparison(ViewState& view, bool moving);
     void lay_preset(const Preset& preset, const PresetTarget& target,
                     const std::vector<ImageAssetPtr>& images);
     void expire_toasts();
@@ -130,10 +139,15 @@ class Session {
     int environment_generation_ = 0;
     std::vector<io::PresetFile> presets_;
     std::vector<const Preset*> preset_list_;
+    Part part_;
+    MaterialPtr part_shown_;
     Environments environments_;
     bool keep_previous_ = true;
     std::set<std::filesystem::path> kept_;  ///< files whose version before is kept
     std::shared_ptr<StillWork> still_;
+    std::optional<ComparisonShown> comparison_;
+    std::optional<glm::vec2> compared_at_;  ///< where its values are of
+    int compared_picture_ = -1;             ///< and of which picture it is
     std::optional<TexelShown> texel_;
     MaterialPtr explained_;  ///< as of which texel_ is explained
     std::optional<render::Probe> hovered_;

@@ -12,6 +12,7 @@
 #include "core/log.h"
 #include "document/edits.h"
 #include "editor/session/session.h"
+#include "editor/widgets/number_text.h"
 #include "io/image_file.h"
 #include "io/map_export.h"
 #include "io/mesh_to_glb.h"
@@ -135,8 +136,9 @@ void Session::export_maps(const fs::path& folder) {
                   : Files(passed_on(saved)));
         return [this, folder, files] {
             if (!*files) return report_job_failure(files->error());
-            toast(ToastKind::Done, fmt::format("Exported {} maps to {}", (*files)->size(),
-                                               folder.filename().string()));
+            toast(ToastKind::Done,
+                  fmt::format("Exported {} to {}", counted((*files)->size(), "map"),
+                              folder.filename().string()));
         };
     });
 }

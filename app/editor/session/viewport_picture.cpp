@@ -12,6 +12,8 @@ namespace {
 /// A frame that takes longer is drawn at half its size while something moves.
 constexpr double kSlowFrameMs = 24.0;
 
+constexpr int kDifferenceBins = 240;
+
 void report(const Error& error) {
     log_warning("{}", error.message);
 }
@@ -114,6 +116,26 @@ std::optional<render::Probe> ViewportPicture::probe(glm::vec2 at) {
     if (probe) return *probe;
     report(probe.error());
     return std::nullopt;
+}
+
+std::optional<render::SideValues> ViewportPicture::sides(glm::vec2 at) {
+    if (!drawn_) return std::nullopt;
+    const Result<std::optional<render::SideValues>> values = renderer_.probe_sides(pixel(at));
+    if (values) return *values;
+    report(values.error());
+    return std::nullopt;
+}
+
+const render::DifferenceStats& ViewportPicture::difference() {
+    if (!drawn_ || difference_of_ == pictures_drawn_) return difference_;
+    difference_of_ = pictures_drawn_;
+    const render::PictureSize half{std::max(drawn_size_.width / 2, 1),
+                                   std::max(drawn_size_.height / 2, 1)};
+    const Result<std::vector<float>> pixels = renderer_.differences(*drawn_, half);
+    if (!pixels) report(pixels.error());
+    difference_ = render::difference_stats(pixels ? *pixels : std::vector<float>(),
+                                           drawn_->difference_range, kDifferenceBins);
+    return difference_;
 }
 
 std::optional<render::Pick> ViewportPicture::pick(glm::vec2 at) {

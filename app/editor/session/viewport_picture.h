@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "editor/session/live_materials.h"
+#include "render/difference_stats.h"
 #include "render/renderer.h"
 
 namespace patina::editor {
@@ -39,6 +40,11 @@ class ViewportPicture {
     /// At a point in shares of the picture.
     std::optional<render::Probe> probe(glm::vec2 at);
     std::optional<render::Pick> pick(glm::vec2 at);
+    /// The light that both shadings give a point, before exposure.
+    std::optional<render::SideValues> sides(glm::vec2 at);
+    /// How far both shadings are apart, as of the last picture, at half of its size. Made anew
+    /// when another picture has been drawn or another range is asked for.
+    const render::DifferenceStats& difference();
     render::Pixel pixel(glm::vec2 at) const;
     render::Renderer& renderer() { return renderer_; }
 
@@ -58,6 +64,8 @@ class ViewportPicture {
     render::FrameStats stats_;
     double frame_ms_ = 0.0;
     int pictures_drawn_ = 0;
+    render::DifferenceStats difference_;
+    int difference_of_ = -1;  ///< pictures_drawn_ when it was made
 };
 
 }  // namespace patina::editor

@@ -17,9 +17,12 @@
 
 namespace patina::editor {
 
+/// Where a file was let go.
+enum class DropPlace { Window, Viewport, Layers };
 /// Files from a dialog, the command line or a drop; what happens depends on their kind.
 struct TakeFile {
     std::filesystem::path path;
+    DropPlace place = DropPlace::Window;
 };
 /// Lays a preset of the shelf on the selected material.
 struct ApplyPreset {

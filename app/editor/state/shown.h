@@ -15,6 +15,7 @@
 #include "editor/state/actions.h"
 #include "editor/widgets/log_lines.h"
 #include "editor/widgets/ui.h"
+#include "render/difference_stats.h"
 #include "render/renderer.h"
 
 namespace patina::editor {
@@ -84,6 +85,12 @@ struct TexelShown {
     std::optional<Channel> channel = std::nullopt;
 };
 
+/// What is known of two shadings that are compared.
+struct ComparisonShown {
+    render::DifferenceStats difference;        ///< over the model, exposed luminance
+    std::optional<render::SideValues> values;  ///< under the crosshair, exposed
+};
+
 struct Shown {
     DocumentPtr document;  ///< null: nothing is open
     MaterialPtr material;
@@ -100,7 +107,8 @@ struct Shown {
     CostShown cost;
     Picture viewport;
     Picture strip;
-    std::optional<TexelShown> texel;       ///< under the crosshair
+    std::optional<TexelShown> texel;  ///< under the crosshair
+    std::optional<ComparisonShown> comparison;
     std::optional<render::Probe> hovered;  ///< under the pointer, with the probe in hand
     Thumbnails* thumbnails = nullptr;
 };

@@ -42,8 +42,10 @@ struct Unfolded {
     bool surface = true;
     bool cost = true;
     bool crosshair = true;
+    bool difference = true;
     bool terms = true;
     bool shelf = true;
+    bool narrow_shelf = false;       ///< in a narrow window, where it takes much of the room
     std::optional<Channel> channel;  ///< whose source editor is open
     bool uv_scale_linked = true;     ///< both scales change together
     std::optional<MaskEntryId> mask_entry;
@@ -76,7 +78,6 @@ struct ViewState {
     Splitters splitters;
     Unfolded unfolded;
     bool panels_hidden = false;
-    bool show_difference_beside = false;  ///< two views and the difference
     std::string shelf_search;
     std::string shelf_category;  ///< empty: all
     std::optional<std::string> layer_search;
@@ -94,6 +95,17 @@ struct ViewState {
     /// Whose mask is shown in grey instead of the material; 0: none.
     LayerId viewed_mask;
 };
+
+/// Whether two shadings are on screen, and the tab beside them is about that.
+inline bool is_comparing(const ViewState& view) {
+    return view.view.compare != render::CompareMode::Single && view.tool != ViewportTool::Probe;
+}
+
+/// How many views of the model lie beside each other.
+inline int view_columns(const render::View& view) {
+    if (view.compare != render::CompareMode::TwoViews) return 1;
+    return render::shows_difference_beside(view) ? 3 : 2;
+}
 
 /// Whether a group's children are listed below it. Folding is no edit: the file keeps what it said.
 inline bool is_unfolded(const Layer& group, const ViewState& view) {

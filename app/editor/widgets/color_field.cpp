@@ -218,6 +218,8 @@ std::optional<glm::vec3> color_popup(Ui& ui, const Rect& anchor, const glm::vec3
     ImGui::SetNextWindowSize(ImVec2(ui.px(248), ui.px(264)));
     if (!ImGui::BeginPopup("color", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav))
         return std::nullopt;
+    if (ui.typing.id == 0 && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+        ImGui::CloseCurrentPopup();
     const ImVec2 corner = ImGui::GetWindowPos();
     const Rect box{corner.x, corner.y, corner.x + ui.px(248), corner.y + ui.px(264)};
     const std::optional<glm::vec3> result = picker(ui, box.inset(ui.px(12)), color_linear);

@@ -65,7 +65,7 @@ constexpr std::array<ImWchar, 3> kIcons = {0xF000, 0xF2E0, 0};
 
 /// Inter's ascent and descent make 1.21 em, and ImGui's size counts both.
 constexpr float kHeightOfEm = 1.21f;
-/// The widest digit of Inter in em, rounded up in pixels as the rasteriser does.
+/// The widest digit of Inter in em; its bearings leave room to round to the nearest pixel.
 constexpr float kDigitOfEm = 0.63f;
 /// FreeType's LightHinting (ImGuiFreeTypeBuilderFlags).
 constexpr unsigned kHinting = ImGuiFreeTypeBuilderFlags_LightHinting;
@@ -83,7 +83,8 @@ ImFont* add_face(const FaceRequest& request, const std::string& icons, float sca
     config.FontBuilderFlags = kHinting;
     config.OversampleH = 1;
     config.OversampleV = 1;
-    config.GlyphMinAdvanceX = std::ceil(kDigitOfEm * size / kHeightOfEm);
+    config.PixelSnapH = true;  // or digits would be centred in their width between two pixels
+    config.GlyphMinAdvanceX = std::round(kDigitOfEm * size / kHeightOfEm);
     config.GlyphMaxAdvanceX = config.GlyphMinAdvanceX;
     ImFont* font = atlas.AddFontFromFileTTF(request.file.c_str(), size, &config, kDigits.data());
     config.MergeMode = true;
