@@ -8,6 +8,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "editor/drop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -262,6 +263,16 @@ bool Editor::drag(const std::string& place, const std::string& label, const std:
         point_at(at(from_share + (to_share - from_share) * step / 8.0), y);
     run_tool({"xdotool", "mouseup", "1"}, display_);
     return true;
+}
+
+bool Editor::drop(const fs::path& file, const std::string& place, const std::string& label,
+                  const std::string& kind) const {
+    if (!wait_for(label, [&] { return find(place, label, kind).has_value(); })) return false;
+    const Control control = *find(place, label, kind);
+    const int x = control.x + control.width / 2;
+    const int y = control.y + control.height / 2;
+    if (!settle_at(x, y)) return false;
+    return drop_file(display_, x, y, file, static_cast<int>(kPatience.count()));
 }
 
 void Editor::key(const std::string& keys) const {

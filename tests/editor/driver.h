@@ -87,6 +87,9 @@ class Editor {
     bool drag(const std::string& place, const std::string& label, const std::string& kind,
               double from_share, double to_share) const;
     void key(const std::string& keys) const;
+    /// Drops a file from another program in the middle of a control.
+    bool drop(const std::filesystem::path& file, const std::string& place, const std::string& label,
+              const std::string& kind) const;
     void point_at(int x, int y) const;
 
     /// The viewport's pixels, without pointer-dependent parts: the pointer is put aside first.
