@@ -27,7 +27,7 @@ constexpr const char* kFooter =
 struct BakeOptions {
     std::filesystem::path input;
     std::filesystem::path output;
-    std::vector<PresetRequest> presets;
+    PresetRequests presets;
     io::SaveOptions save;
     std::filesystem::path maps_folder;
     io::MapExportOptions maps;
@@ -103,7 +103,7 @@ void add_bake(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<BakeOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".glb", ".gltf"}, "The file to write");
-    add_preset_option(*command, options->presets);
+    add_preset_options(*command, options->presets);
     add_map_size_option(*command, options->save.size);
     command
         ->add_option("--maps", options->maps_folder,

@@ -12,6 +12,7 @@
 #include "core/progress.h"
 #include "core/result.h"
 #include "document/document.h"
+#include "document/preset_knobs.h"
 #include "io/load.h"
 
 namespace patina::cli {
@@ -29,10 +30,17 @@ struct PresetRequest {
     std::string material;  ///< empty: every material
 };
 
-/// `--preset NAME[@MATERIAL]`, which may be given several times.
-void add_preset_option(CLI::App& app, std::vector<PresetRequest>& requests);
+/// The presets that a command lays on, and how their knobs are turned.
+struct PresetRequests {
+    std::vector<PresetRequest> presets;
+    std::vector<KnobSetting> knobs;
+};
 
-/// Lays each preset in turn on top of the stacks that it names.
-Status apply_presets(io::LoadedDocument& loaded, const std::vector<PresetRequest>& requests);
+/// `--preset NAME[@MATERIAL]` and `--knob NAME=VALUE`, which may be given several times.
+void add_preset_options(CLI::App& app, PresetRequests& requests);
+
+/// Lays each preset in turn on top of the stacks that it names. A knob is turned in every preset
+/// that has it; one that none has is a failure.
+Status apply_presets(io::LoadedDocument& loaded, const PresetRequests& requests);
 
 }  // namespace patina::cli

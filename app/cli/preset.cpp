@@ -19,15 +19,14 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const io::PresetFile& file) {
     const Preset& preset = file.preset;
-    return {{"id", preset.id},
-            {"version", preset.version},
-            {"name", preset.name},
-            {"category", preset.category},
-            {"tags", preset.tags},
-            {"author", preset.author},
-            {"licence", preset.licence},
-            {"description", preset.description},
-            {"layers", preset.layers.size()},
+    Json knobs = Json::array();
+    for (const PresetKnob& knob : preset.knobs)
+        knobs.push_back({{"id", knob.id}, {"name", knob.name}, {"value", knob.value}});
+    return {{"id", preset.id},           {"version", preset.version},
+            {"name", preset.name},       {"category", preset.category},
+            {"tags", preset.tags},       {"author", preset.author},
+            {"licence", preset.licence}, {"description", preset.description},
+            {"knobs", std::move(knobs)}, {"layers", preset.layers.size()},
             {"file", file.path.string()}};
 }
 

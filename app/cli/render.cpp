@@ -69,7 +69,7 @@ constexpr std::array kDirections = {
 struct RenderOptions {
     std::filesystem::path input;
     std::filesystem::path output;
-    std::vector<PresetRequest> presets;
+    PresetRequests presets;
     std::string environment;  ///< a built-in name or a file; empty: as the document says
     std::optional<glm::vec3> camera_position;
     std::optional<glm::vec3> camera_target;
@@ -330,7 +330,7 @@ void add_render(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RenderOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".png", ".tif", ".exr"}, "The picture to write");
-    add_preset_option(*command, options->presets);
+    add_preset_options(*command, options->presets);
     add_picture_options(*command, *options);
     add_shading_options(*command, *options);
     add_channel_option(*command, *options);

@@ -67,6 +67,62 @@ std::vector<PresetImage> read_images(JsonObject& object) {
     return images;
 }
 
+KnobTarget read_target(const Json& json, const std::string& pointer, JsonFaults& faults) {
+    JsonObject object(json, pointer, faults);
+    KnobTarget target;
+    target.path = object.required_text("path");
+    if (target.path.empty() || target.path.front() != '/' ||
+        target.path.find('~') != std::string::npos)
+        object.fault("path", "is no path into the layers, such as /0/opacity");
+    object.require("from");
+    object.require("to");
+    target.from = object.number("from", Parameter::ImageAdd, 0.0f);
+    target.to = object.number("to", Parameter::ImageAdd, 1.0f);
+    object.finish();
+    return target;
+}
+
+PresetKnob read_knob(const Json& json, const std::string& pointer, JsonFaults& faults) {
+    JsonObject object(json, pointer, faults);
+    PresetKnob knob;
+    knob.id = object.required_text("id");
+    if (!is_preset_id(knob.id))
+        object.fault("id", "is not made of lower-case letters, digits and hyphens");
+    knob.name = read_text("name", object);
+    knob.value = object.number("value", Parameter::ScalarValue, knob.value);
+    const Json* targets = object.require("targets");
+    if (targets && (!targets->is_array() || targets->empty() || targets->size() > kMaxKnobTargets))
+        object.fault("targets", fmt::format("is not a list of 1 to {} targets", kMaxKnobTargets));
+    else if (targets)
+        for (std::size_t i = 0; i < targets->size(); ++i)
+            knob.targets.push_back(
+                read_target((*targets)[i], fmt::format("{}/targets/{}", pointer, i), faults));
+    object.finish();
+    return knob;
+}
+
+std::vector<PresetKnob> read_knobs(JsonObject& object) {
+    std::vector<PresetKnob> knobs;
+    const Json* json = object.find("knobs");
+    if (!json) return knobs;
+    if (!json->is_array() || json->size() > kMaxKnobs) {
+        object.fault("knobs", fmt::format("is not a list of at most {} knobs", kMaxKnobs));
+        return knobs;
+    }
+    for (std::size_t i = 0; i < json->size(); ++i)
+        knobs.push_back(read_knob((*json)[i], fmt::format("/knobs/{}", i), object.faults()));
+    return knobs;
+}
+
+/// Both ends of every knob have to make layers that can be laid on.
+Status check_knobs(const Preset& preset) {
+    for (const PresetKnob& knob : preset.knobs)
+        for (const float end : {0.0f, 1.0f})
+            if (const auto turned = turned_layers(preset, {{knob.id, end}}); !turned)
+                return failure("knob {}: {}", knob.id, turned.error().message);
+    return {};
+}
+
 /// The preset's own description; the layers are read beside it.
 Preset read_description(JsonObject& object) {
     Preset preset;
@@ -96,6 +152,7 @@ Result<Preset> read_preset(std::string_view text) {
         return failure("made for a newer Patina (format {}, this one reads up to {})", format,
                        kPresetFormat);
     Preset preset = read_description(object);
+    preset.knobs = read_knobs(object);
     preset.images = read_images(object);
     if (const Json* layers = object.require("layers"))
         preset.layers = layers_from_json(*layers, "/layers", faults);
@@ -104,7 +161,17 @@ Result<Preset> read_preset(std::string_view text) {
     if (faults.any()) return passed_on(faults.status());
     IssuedIds issued;
     preset.layers = with_unique_ids(preset.layers, issued);
+    if (const Status knobs = check_knobs(preset); !knobs) return passed_on(knobs);
     return preset;
+}
+
+Json knob_to_json(const PresetKnob& knob) {
+    Json json = {{"id", knob.id}, {"name", knob.name}};
+    if (knob.value != PresetKnob{}.value) json["value"] = json_of(knob.value);
+    for (const KnobTarget& target : knob.targets)
+        json["targets"].push_back(
+            {{"path", target.path}, {"from", json_of(target.from)}, {"to", json_of(target.to)}});
+    return json;
 }
 
 }  // namespace
@@ -121,6 +188,7 @@ std::string preset_to_json(const Preset& preset) {
                  {"name", preset.name},       {"category", preset.category},
                  {"tags", preset.tags},       {"author", preset.author},
                  {"licence", preset.licence}, {"description", preset.description}};
+    for (const PresetKnob& knob : preset.knobs) json["knobs"].push_back(knob_to_json(knob));
     for (const PresetImage& image : preset.images)
         json["images"].push_back({{"file", image.file}, {"hash", to_hex(image.hash)}});
     json["layers"] = layers_to_json(preset.layers, JsonIds::LeftOut);

@@ -10,6 +10,7 @@
 
 #include "core/result.h"
 #include "document/layer.h"
+#include "document/preset_knobs.h"
 
 namespace patina {
 
@@ -29,6 +30,7 @@ struct Preset {
     std::string author;
     std::string licence;      ///< an SPDX identifier, such as "CC0-1.0"
     std::string description;  ///< a sentence
+    std::vector<PresetKnob> knobs;
     std::vector<PresetImage> images;
     std::vector<LayerPtr> layers;  ///< bottom to top; ids are fresh within the preset, from 1
 };

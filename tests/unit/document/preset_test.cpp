@@ -68,6 +68,42 @@ TEST(Preset, ThoseThatShipAreReadAndValidAgainstTheSchema) {
     EXPECT_TRUE(names.contains("Brushed brass"));
 }
 
+TEST(Preset, KnobsOfThoseThatShipStandWhereTheLayersAreAndChangeThemWhenTurned) {
+    int knobs = 0;
+    for (const auto& path : shipped_presets()) {
+        const Preset preset = preset_from_json(text_of(path), "").value();
+        const auto text_with = [&](float value, const PresetKnob& knob) {
+            Preset turned = preset;
+            turned.layers = turned_layers(preset, {{knob.id, value}}).value();
+            return preset_to_json(turned);
+        };
+        for (const PresetKnob& knob : preset.knobs) {
+            EXPECT_EQ(text_with(knob.value, knob), preset_to_json(preset))
+                << path << ": " << knob.id << " does not stand at its value";
+            EXPECT_NE(text_with(0.0f, knob), text_with(1.0f, knob)) << path << ": " << knob.id;
+            ++knobs;
+        }
+    }
+    EXPECT_GE(knobs, 24);
+}
+
+TEST(Preset, AKnobThatIsNotThereOrTurnedTooFarOrMovesNoNumberIsRefused) {
+    json preset = json::parse(rusted_iron());
+    preset["knobs"] = {{{"id", "wear"},
+                        {"name", "Wear"},
+                        {"targets", {{{"path", "/1/opacity"}, {"from", 0.2}, {"to", 1}}}}}};
+    const Preset read = preset_from_json(preset.dump(), "test").value();
+    EXPECT_FLOAT_EQ((*turned_layers(read, {{"wear", 0.5f}}))[1]->opacity, 0.6f);
+    EXPECT_FALSE(turned_layers(read, {{"rust", 0.5f}}));
+    EXPECT_FALSE(turned_layers(read, {{"wear", 1.5f}}));
+    for (const char* path : {"/1/name", "/99/opacity", "/1/mask", "opacity", "/1/sheen"}) {
+        preset["knobs"][0]["targets"][0]["path"] = path;
+        EXPECT_FALSE(preset_from_json(preset.dump(), "test")) << path;
+    }
+    preset["knobs"][0]["targets"][0] = {{"path", "/1/opacity"}, {"from", 0.2}, {"to", 3}};
+    EXPECT_FALSE(preset_from_json(preset.dump(), "test"));
+}
+
 TEST(Preset, ThoseThatShipAreWrittenAsPatinaWritesThem) {
     for (const auto& path : shipped_presets()) {
         const std::string text = text_of(path);
