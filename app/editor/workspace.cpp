@@ -297,10 +297,28 @@ void Workspace::choose_image_for(const ChooseImageFor& request) {
     });
 }
 
+void Workspace::lay_preset(const io::PresetFile& file, bool replace_stack) {
+    const auto lay = [this, preset = file.preset, target = view_.material, above_id = view_.layer,
+                      replace_stack](const std::vector<ImageAssetPtr>& images) {
+        const MaterialPtr material = find_material(session_->document(), target);
+        if (!material) return;
+        const LayerPtr layer = find_layer(*material, above_id);
+        const LayerPlace place = layer ? above(layer->id) : top_of_stack();
+        const DocumentPtr before = session_->history().document();
+        edit_and_select_new(replace_stack ? replace_stack_by_preset(*material, preset, images)
+                                          : apply_preset(*material, preset, place, images));
+        if (session_->history().document() == before) return;
+        session_->toast(ToastKind::Done,
+                        fmt::format("{} applied to {}", preset.name, material->name), "Undo",
+                        Action::Undo);
+    };
+    session_->with_preset_images(file, lay);
+}
+
 void Workspace::apply_preset_by_id(const ApplyPreset& request) {
     for (const io::PresetFile& file : session_->presets())
         if (file.preset.id == request.id && session_->has_document())
-            session_->apply_preset_file(file, {view_.material, view_.layer, request.replace_stack});
+            lay_preset(file, request.replace_stack);
 }
 
 void Workspace::apply_preset_from(const fs::path& path) {
@@ -310,7 +328,7 @@ void Workspace::apply_preset_from(const fs::path& path) {
     }
     const Result<io::PresetFile> file = io::read_preset(path);
     if (file)
-        session_->apply_preset_file(*file, {view_.material, view_.layer});
+        lay_preset(*file, false);
     else
         session_->toast(ToastKind::Error, file.error().message);
 }
@@ -513,6 +531,10 @@ void Workspace::perform_view(Action action) {
         case Action::ProbeTool:
             view_.tool =
                 view_.tool == ViewportTool::Probe ? ViewportTool::Move : ViewportTool::Probe;
+            return;
+        case Action::ShowLights:
+            view_.right_tab = RightTab::Material;
+            view_.unfolded.lights = true;
             return;
         case Action::ShowUv:
             view.channel = view.channel == render::ChannelView::Uv0 ? render::ChannelView::Final

@@ -66,6 +66,7 @@ class Workspace {
     void when_edits_may_go(std::function<void()> go_on);
     void use_image(const ImageAssetPtr& image, Edit edit, std::string label);
     void add_image_layer(const ImageAssetPtr& image);
+    void lay_preset(const io::PresetFile& file, bool replace_stack);
     void apply_preset_by_id(const ApplyPreset& request);
     void apply_preset_from(const std::filesystem::path& path);
 

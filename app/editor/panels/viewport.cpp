@@ -194,7 +194,7 @@ void draw_divider(Ui& ui, const Rect& rect, render::View& view) {
 Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
     Requests requests;
     const Place place(ui, "Tools");
-    constexpr int kTools = 4;
+    constexpr int kTools = 5;
     const float height = ui.px(6 + 26 * kTools + 2 * (kTools - 1));
     Rect box{rect.x1 - ui.px(40), rect.y0 + ui.px(8), rect.x1 - ui.px(8),
              rect.y0 + ui.px(8) + height};
@@ -224,6 +224,11 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
                 .enabled = open,
                 .on = uv}))
         view.view.channel = uv ? render::ChannelView::Final : render::ChannelView::Uv0;
+    if (button({.icon = icon::kSun,
+                .label = "Lights",
+                .tooltip = "Opens the lights in the Material tab",
+                .enabled = open}))
+        requests.ask(Action::ShowLights);
     if (button({.icon = icon::kCamera, .label = "Save the view as PNG", .enabled = open}))
         requests.ask(Action::SaveView);
     return requests;

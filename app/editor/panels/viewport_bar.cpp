@@ -13,6 +13,9 @@
 namespace patina::editor {
 namespace {
 
+/// Logical pixels of all but the shadings when every control shows its name.
+constexpr float kWideWithoutShadings = 1030.0f;
+
 void mode_segments(Ui& ui, Rect& rest, bool wide, render::View& view) {
     float total = ui.px(4);
     std::array<float, 4> widths{};
@@ -54,9 +57,22 @@ Rect field_at_right(const Ui& ui, Rect& rest, float width) {
     return rest.cut_right(ui.px(width)).centered(ui.px(width), ui.px(theme::kFieldHeight));
 }
 
-void shading_combos(Ui& ui, Rect& rest, bool wide, render::View& view) {
+/// Logical pixels for the name of a shading model.
+float shading_width(const Ui& ui, const render::Shading& shading) {
+    const auto& choice = render::kShadingModels[static_cast<std::size_t>(shading.model)];
+    return std::max(text_width(ui.fonts.value12, choice.label) / ui.scale + 34.0f, 72.0f);
+}
+
+/// What one or two shadings take, with the button between them.
+float shadings_width(const Ui& ui, const render::View& view) {
+    const float left = shading_width(ui, view.left);
+    if (view.compare == render::CompareMode::Single) return left;
+    return left + 30.0f + shading_width(ui, view.right);
+}
+
+void shading_combos(Ui& ui, Rect& rest, render::View& view) {
     const bool both = view.compare != render::CompareMode::Single;
-    const auto left = choice_combo(ui, field_at_left(ui, rest, wide ? 96 : 78),
+    const auto left = choice_combo(ui, field_at_left(ui, rest, shading_width(ui, view.left)),
                                    {.label = both ? "Left shading" : "Shading", .key = "P, O"},
                                    render::kShadingModels, view.left.model);
     if (left) view.left.model = *left;
@@ -67,8 +83,8 @@ void shading_combos(Ui& ui, Rect& rest, bool wide, render::View& view) {
         std::swap(view.left, view.right);
     rest.cut_left(ui.px(2));
     const auto right =
-        choice_combo(ui, field_at_left(ui, rest, wide ? 96 : 78), {.label = "Right shading"},
-                     render::kShadingModels, view.right.model);
+        choice_combo(ui, field_at_left(ui, rest, shading_width(ui, view.right)),
+                     {.label = "Right shading"}, render::kShadingModels, view.right.model);
     if (right) view.right.model = *right;
 }
 
@@ -141,12 +157,11 @@ Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     fill(ui, rect, theme::kPanel, 6, ImDrawFlags_RoundCornersTop);
     render::View& view = state.view;
     const float logical = rect.width() / ui.scale;
-    // Two shadings take the room of a combo and a button more.
-    const bool wide = logical >= (view.compare == render::CompareMode::Single ? 1080 : 1260);
+    const bool wide = logical >= kWideWithoutShadings + shadings_width(ui, view);
     Rect rest = rect.inset(ui.px(8), 0);
     mode_segments(ui, rest, wide, view);
     rest.cut_left(ui.px(6));
-    shading_combos(ui, rest, wide, view);
+    shading_combos(ui, rest, view);
     rest.cut_left(ui.px(8));
     fill(ui, rest.cut_left(ui.px(1)).centered(ui.px(1), ui.px(16)), theme::kBorder);
     rest.cut_left(ui.px(8));

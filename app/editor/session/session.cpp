@@ -18,6 +18,7 @@
 namespace patina::editor {
 namespace {
 
+constexpr render::DepthRange kAnyDepthRange{0.1f, 10.0f};  // where depth does not matter
 constexpr double kToastSeconds = 6.0;
 constexpr double kHeldToastSeconds = 2.0;  // after the pointer has left it
 constexpr std::size_t kMostToasts = 3;
@@ -204,6 +205,20 @@ void Session::follow_texel(const ViewState& view) {
         toast(ToastKind::Error, steps.error().message);
 }
 
+/// The crosshair of what is explained stays on its point of the model when the camera moves.
+void Session::follow_crosshair(ViewState& view, float aspect) const {
+    if (!texel_ || !view.crosshair || view.tool != ViewportTool::Probe) return;
+    const auto columns = static_cast<float>(view_columns(view.view));
+    const float column = std::floor(view.crosshair->x * columns);
+    const render::Camera& camera = view.view.camera;
+    const glm::vec4 point(texel_->probe[render::ChannelView::Position], 1.0f);
+    const glm::vec4 clip = render::clip_from_view(camera, aspect / columns, kAnyDepthRange) *
+                           (render::view_from_world(camera) * point);
+    if (clip.w <= 0.0f) return;
+    view.crosshair = glm::vec2((column + 0.5f + 0.5f * clip.x / clip.w) / columns,
+                               0.5f - 0.5f * clip.y / clip.w);
+}
+
 // --- a frame -------------------------------------------------------------------------------------
 
 /// A layer alone or a mask, made anew only when something else is to be seen: another node would be
@@ -321,6 +336,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
             view.viewed_mask = {};
             view.unfolded_groups.clear();
         }
+        follow_crosshair(view, aspect);
         render::View drawn = view.view;
         const Document& now = *history_->document();
         drawn.lights = now.lights;

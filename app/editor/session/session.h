@@ -49,12 +49,9 @@ class Session {
     /// Reads an image on a worker and gives it to `use` as edits to make.
     void with_image(const std::filesystem::path& path,
                     std::function<void(const ImageAssetPtr&)> use);
-    struct PresetTarget {
-        MaterialId material;
-        LayerId above;  ///< of none: on top
-        bool replace_stack = false;
-    };
-    void apply_preset_file(const io::PresetFile& file, const PresetTarget& target);
+    /// The same for the images of a preset.
+    void with_preset_images(const io::PresetFile& file,
+                            std::function<void(const std::vector<ImageAssetPtr>&)> use);
     /// A panorama that the user chose.
     void use_environment_file(const std::filesystem::path& path);
 
@@ -122,10 +119,9 @@ class Session {
     void light_with(const std::string& name);
     void filter_environment(const EnvironmentSource& source, std::string label);
     void follow_texel(const ViewState& view);
+    void follow_crosshair(ViewState& view, float aspect) const;
     void draw_still();
     void follow_comparison(ViewState& view, bool moving);
-    void lay_preset(const Preset& preset, const PresetTarget& target,
-                    const std::vector<ImageAssetPtr>& images);
     void expire_toasts();
     void report_job_failure(const Error& error);
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/log.h"
-#include "document/edits.h"
+#include "document/scene_edits.h"
 #include "editor/session/session.h"
 #include "editor/widgets/number_text.h"
 #include "io/image_file.h"
@@ -203,32 +203,20 @@ void Session::with_image(const fs::path& path, std::function<void(const ImageAss
                 });
 }
 
-void Session::apply_preset_file(const io::PresetFile& file, const PresetTarget& target) {
+void Session::with_preset_images(const io::PresetFile& file,
+                                 std::function<void(const std::vector<ImageAssetPtr>&)> use) {
     jobs_.start("Reading " + file.preset.name,
-                [this, file, target, images = images_](const Progress&) {
+                [this, file, images = images_, use = std::move(use)](const Progress&) {
                     auto added = std::make_shared<Result<std::vector<ImageAssetPtr>>>(
                         io::add_preset_images(file, *images));
-                    return [this, file, target, images, added] {
+                    return [this, added, images, use] {
                         if (images != images_) return;  // of a document that is closed
-                        if (!*added) return report_job_failure(added->error());
-                        lay_preset(file.preset, target, **added);
+                        if (*added)
+                            use(**added);
+                        else
+                            report_job_failure(added->error());
                     };
                 });
-}
-
-void Session::lay_preset(const Preset& preset, const PresetTarget& target,
-                         const std::vector<ImageAssetPtr>& images) {
-    const MaterialPtr material = find_material(document(), target.material);
-    if (!material) return;
-    const LayerPtr layer = find_layer(*material, target.above);
-    const LayerPlace place = layer ? above(layer->id) : top_of_stack();
-    history_->seal();
-    const Edit edit = target.replace_stack ? replace_stack_by_preset(*material, preset, images)
-                                           : apply_preset(*material, preset, place, images);
-    if (!apply(edit)) return;
-    history_->seal();
-    toast(ToastKind::Done, fmt::format("{} applied to {}", preset.name, material->name), "Undo",
-          Action::Undo);
 }
 
 void Session::use_environment_file(const fs::path& path) {

@@ -68,6 +68,7 @@ constexpr std::array kActions = {
     ActionInfo{Action::FrameModel, Menu::View, icon::kFrame, "Frame the model", "F", Needs::Document, true},
     ActionInfo{Action::ProbeTool, Menu::View, icon::kEyedropper, "Read and explain a texel", "I", Needs::Document},
     ActionInfo{Action::ShowUv, Menu::View, icon::kGrid, "UV coordinates", "U", Needs::Document},
+    ActionInfo{Action::ShowLights, Menu::View, icon::kSun, "Lights", "", Needs::Document},
     ActionInfo{Action::SaveView, Menu::View, icon::kCamera, "Save the view as PNG\u2026", "", Needs::Document},
     ActionInfo{Action::HidePanels, Menu::View, nullptr, "Hide or show panels", "F10", Nothing, true},
     ActionInfo{Action::ShowLog, Menu::View, nullptr, "Log", "", Nothing},

@@ -62,6 +62,7 @@ enum class Action {
     FrameModel,
     ProbeTool,
     ShowUv,
+    ShowLights,
     SaveView,
     ResetLayout,
     HidePanels,
