@@ -107,8 +107,9 @@ class Editor {
     std::filesystem::path screen_file_;
     pid_t child_ = -1;
     mutable nlohmann::json map_;
-    mutable int pointer_x_ = 0;
-    mutable int pointer_y_ = 0;
+    // Not the corner: GLFW takes a move to 0, 0 for one of its own and keeps quiet about it.
+    mutable int pointer_x_ = 8;
+    mutable int pointer_y_ = 8;
 };
 
 }  // namespace patina::editor_tests

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// What is looked at and how: no part of the document, worked by keyboard too, kept for next time.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "editor/editor_fixture.h"
+
+namespace patina::editor_tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+class ViewTest : public EditorTest {
+  protected:
+    bool open(const Editor& editor) const {
+        return editor.wait_fact("document", "sample.glb") && editor.settle();
+    }
+};
+
+TEST_F(ViewTest, FoldingAGroupIsNoEdit) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(add_layer(editor, "Add value layer"));
+    editor.key("ctrl+g");
+    ASSERT_TRUE(editor.wait_fact("layer", "Group"));
+    const std::string steps = editor.fact("steps");
+    const std::string content = editor.fact("content");
+    const std::vector<std::string> unfolded = editor.layers();
+    ASSERT_TRUE(editor.click("Layers/Group", "Unfolded", "angle"));
+    ASSERT_TRUE(editor.wait_for("the group to fold",
+                                [&] { return editor.layers().size() + 1 == unfolded.size(); }));
+    EXPECT_EQ(editor.fact("steps"), steps);
+    EXPECT_EQ(editor.fact("content"), content);
+    ASSERT_TRUE(editor.click("Layers/Group", "Unfolded", "angle"));
+    ASSERT_TRUE(editor.wait_for("it to unfold", [&] { return editor.layers() == unfolded; }));
+}
+
+TEST_F(ViewTest, TheKeyboardReachesAndPressesControls) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor));
+    // The first control of the window is the File menu; its first row is Open.
+    editor.key("Tab");
+    editor.key("Return");
+    ASSERT_TRUE(editor.wait_for("the File menu", [&] {
+        return editor.find("Top bar/Popup", "Save as\u2026", "item").has_value();
+    }));
+    editor.key("Down");
+    editor.key("Return");
+    ASSERT_TRUE(editor.wait_for(
+        "the dialog", [&] { return editor.find("File dialog", "Open", "button").has_value(); }));
+    editor.key("Escape");
+    ASSERT_TRUE(editor.wait_for(
+        "it to close", [&] { return !editor.find("File dialog", "Open", "button").has_value(); }));
+}
+
+TEST_F(ViewTest, TheLayoutIsAsItWasLeft) {
+    const fs::path file = sample();
+    const auto width_of = [](const Editor& editor) {
+        const auto row = editor.find("Layers", "Imported textures", "row");
+        return row ? row->width : 0;
+    };
+    int before = 0;
+    int after = 0;
+    {
+        Editor editor(display_.name(), folder_, arguments(file));
+        ASSERT_TRUE(open(editor));
+        before = width_of(editor);
+        ASSERT_TRUE(editor.drag("", "Left splitter", "splitter", 0.5, -5.0));
+        ASSERT_TRUE(editor.settle());
+        after = width_of(editor);
+        EXPECT_LT(after, before);
+        ASSERT_TRUE(editor.click("Shelf", "Fold the shelf", "button"));
+        ASSERT_TRUE(editor.settle());
+        editor.key("ctrl+q");
+        EXPECT_EQ(editor.wait_for_end(), 0);
+    }
+    Editor again(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(again));
+    EXPECT_EQ(width_of(again), after);
+    EXPECT_TRUE(again.find("Shelf", "Unfold the shelf", "button").has_value());
+}
+
+TEST_F(ViewTest, ANarrowWindowHasItsLayersInATab) {
+    Editor editor(display_.name(), folder_,
+                  {"--window", "1100x700", "--scale", "1", sample().string()});
+    ASSERT_TRUE(open(editor));
+    EXPECT_THAT(editor.layers(), ElementsAre("Imported textures"));
+    ASSERT_TRUE(editor.click("Properties", "Layer", "tab"));
+    ASSERT_TRUE(editor.wait_for("the layer's opacity", [&] {
+        return editor.find("Properties", "Opacity", "slider").has_value();
+    }));
+    EXPECT_TRUE(editor.layers().empty());
+}
+
+TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor));
+    editor.key("i");
+    ASSERT_TRUE(editor.settle());
+    ASSERT_TRUE(editor.click("Viewport", "Model", "viewport"));
+    const auto steps = [&] {
+        std::vector<std::string> names;
+        for (const Control& control : editor.controls())
+            if (control.kind == "step") names.push_back(control.label);
+        return names;
+    };
+    ASSERT_TRUE(editor.wait_for("the explanation", [&] { return steps().size() == 1; }));
+    ASSERT_TRUE(add_layer(editor, "Add noise layer"));
+    ASSERT_TRUE(editor.wait_for("the new layer in it", [&] { return steps().size() == 2; }));
+    editor.key("ctrl+z");
+    ASSERT_TRUE(editor.wait_for("the old explanation", [&] { return steps().size() == 1; }));
+}
+
+TEST_F(ViewTest, TwoViewsAndTheirDifferenceSayHowFarTheyAreApart) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(editor.click("Viewport bar", "Two views", "segment"));
+    ASSERT_TRUE(editor.click("Properties", "Compare", "tab"));
+    ASSERT_TRUE(editor.click("Properties", "Show the difference beside them", "checkbox"));
+    ASSERT_TRUE(editor.wait_for(
+        "the histogram", [&] { return editor.find("Difference", "mean", "figure").has_value(); }));
+    ASSERT_TRUE(editor.settle());
+    EXPECT_NE(editor.find("Difference", "mean", "figure")->value, "mean 0.000");
+    // In the middle of the middle view lies the model.
+    ASSERT_TRUE(editor.click("Viewport", "Model", "viewport"));
+    ASSERT_TRUE(editor.wait_for(
+        "values", [&] { return editor.find("Properties", "Luminance", "figure").has_value(); }));
+    // The same shading at both sides does not differ.
+    ASSERT_TRUE(editor.click("Properties", "Right", "combo"));
+    ASSERT_TRUE(editor.click("Properties/Popup", "PBR", "item"));
+    ASSERT_TRUE(editor.wait_for("no difference", [&] {
+        const auto mean = editor.find("Difference", "mean", "figure");
+        return mean && mean->value == "mean 0.000";
+    }));
+    EXPECT_EQ(editor.fact("edited"), "no");
+}
+
+}  // namespace
+}  // namespace patina::editor_tests
