@@ -52,6 +52,20 @@ CLI::Option* add_size_option(CLI::App& app, const std::string& flag, int& width,
     return option;
 }
 
+CLI::Option* add_uv_option(CLI::App& app, const std::string& flag, glm::vec2& value,
+                           const std::string& help) {
+    const auto read = [flag, &value](const std::string& text) {
+        const auto parts = split(text, ',');
+        const auto u = parts.size() == 2 ? number_of<float>(parts[0]) : std::nullopt;
+        const auto v = parts.size() == 2 ? number_of<float>(parts[1]) : std::nullopt;
+        if (!u || !v || !std::isfinite(*u) || !std::isfinite(*v))
+            throw CLI::ValidationError(flag,
+                                       fmt::format("'{}' is no place such as 0.25,0.5", text));
+        value = {*u, *v};
+    };
+    return app.add_option_function<std::string>(flag, read, help)->type_name("U,V");
+}
+
 CLI::Option* add_vector_option(CLI::App& app, const std::string& flag,
                                std::optional<glm::vec3>& value, const std::string& help) {
     const auto read = [flag, &value](const std::string& text) {

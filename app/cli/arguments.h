@@ -27,6 +27,10 @@ CLI::Option* add_size_option(CLI::App& app, const std::string& flag, int& width,
 CLI::Option* add_vector_option(CLI::App& app, const std::string& flag,
                                std::optional<glm::vec3>& value, const std::string& help);
 
+/// `--uv 0.25,0.5`: two numbers.
+CLI::Option* add_uv_option(CLI::App& app, const std::string& flag, glm::vec2& value,
+                           const std::string& help);
+
 /// `-o FILE`, required. Its extension has to be one of `extensions`, such as ".glb".
 CLI::Option* add_output_option(CLI::App& app, std::filesystem::path& path,
                                std::vector<std::string> extensions, const std::string& help);

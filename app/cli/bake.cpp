@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
+#include "cli/changes.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/map_options.h"
@@ -22,12 +23,15 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  patina bake model.glb --preset rusted-iron@Body --size 2048 -o out.glb\n"
     "  patina bake model.glb --preset painted-wood --preset my/dust.json -o out.glb\n"
-    "  patina bake painted.glb --maps maps --map-format tif -o out.glb";
+    "  patina bake model.glb --textures wood@Body --set Body/wood/opacity=0.8 -o out.glb\n"
+    "  patina bake model.glb --layer '{\"name\": \"Gold\", \"channels\": {\"metalness\": "
+    "{\"source\": 1}}}' -o out.glb\n"
+    "  patina bake painted.glb --maps maps --map-format exr --packing separate -o out.glb";
 
 struct BakeOptions {
     std::filesystem::path input;
     std::filesystem::path output;
-    PresetRequests presets;
+    Changes changes;
     io::SaveOptions save;
     std::filesystem::path maps_folder;
     io::MapExportOptions maps;
@@ -61,7 +65,9 @@ void print(const BakeReport& baked) {
 Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
     auto loaded = opened_document(options.input, progress);
     if (!loaded) return passed_on(loaded);
-    if (const Status applied = apply_presets(*loaded, options.presets); !applied)
+    if (const Status applied =
+            apply_changes(*loaded, options.changes, options.work.quiet, progress);
+        !applied)
         return passed_on(applied);
     const auto saved = io::save_document(*loaded->document, *loaded->images, options.output,
                                          options.save, progress);
@@ -97,13 +103,13 @@ Status run_bake(const BakeOptions& options) {
 }  // namespace
 
 void add_bake(CLI::App& app, Command& chosen) {
-    auto* command =
-        app.add_subcommand("bake", "Lay on presets, bake every stack, write a glTF file");
+    auto* command = app.add_subcommand(
+        "bake", "Lay on presets, textures and layers, bake every stack, write a glTF file");
     command->footer(kFooter);
     auto options = std::make_shared<BakeOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".glb", ".gltf"}, "The file to write");
-    add_preset_options(*command, options->presets);
+    add_change_options(*command, options->changes);
     add_map_size_option(*command, options->save.size);
     command
         ->add_option("--maps", options->maps_folder,

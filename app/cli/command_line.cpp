@@ -11,8 +11,8 @@
 namespace patina::cli {
 namespace {
 
-constexpr std::array kCommands = {add_bake,  add_render, add_export, add_info,
-                                  add_check, add_preset, add_sample};
+constexpr std::array kCommands = {add_bake,    add_render, add_export, add_info,   add_explain,
+                                  add_compare, add_check,  add_preset, add_sample, add_completion};
 
 constexpr const char* kFooter =
     "Examples:\n"

@@ -21,6 +21,9 @@ using Command = std::function<Status()>;
 
 void add_bake(CLI::App& app, Command& chosen);
 void add_render(CLI::App& app, Command& chosen);
+void add_compare(CLI::App& app, Command& chosen);
+void add_completion(CLI::App& app, Command& chosen);
+void add_explain(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_info(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
+#include "cli/changes.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/progress_bar.h"
@@ -69,7 +70,7 @@ constexpr std::array kDirections = {
 struct RenderOptions {
     std::filesystem::path input;
     std::filesystem::path output;
-    PresetRequests presets;
+    Changes changes;
     std::string environment;  ///< a built-in name or a file; empty: as the document says
     std::optional<glm::vec3> camera_position;
     std::optional<glm::vec3> camera_target;
@@ -127,7 +128,9 @@ void set_camera(const RenderOptions& options, const Document& document,
 Result<render::RenderedImage> rendered(const RenderOptions& options, const Progress& progress) {
     auto loaded = opened_document(options.input, progress);
     if (!loaded) return passed_on(loaded);
-    if (const Status applied = apply_presets(*loaded, options.presets); !applied)
+    if (const Status applied =
+            apply_changes(*loaded, options.changes, options.work.quiet, progress);
+        !applied)
         return passed_on(applied);
     render::OffscreenRequest request = options.request;
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
@@ -330,7 +333,7 @@ void add_render(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RenderOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".png", ".tif", ".exr"}, "The picture to write");
-    add_preset_options(*command, options->presets);
+    add_change_options(*command, options->changes);
     add_picture_options(*command, *options);
     add_shading_options(*command, *options);
     add_channel_option(*command, *options);

@@ -30,6 +30,8 @@ struct ImageAsset {
     int height = 0;
     int channels = 0;
     SampleType type = SampleType::U8;
+    /// Of its colours, as the file says or its format implies; what a new layer reads them as.
+    ColorSpace color_space = ColorSpace::Srgb;
     std::optional<int> source_image;  ///< index in the glTF file, where it came from there
 };
 using ImageAssetPtr = std::shared_ptr<const ImageAsset>;

@@ -143,7 +143,7 @@ Layer image_layer(const ImageAsset& image) {
     Layer layer = fill_named(check_name(image.name) ? std::string_view(image.name) : "Image");
     ImageSource source;
     source.image = image.hash;
-    source.color_space = image.type == SampleType::F32 ? ColorSpace::Linear : ColorSpace::Srgb;
+    source.color_space = image.color_space;
     source.alpha_is_coverage = image.channels == 2 || image.channels == 4;
     at(layer.channels, Channel::BaseColor).source = source;
     return layer;

@@ -47,7 +47,7 @@ inline constexpr std::size_t kMaxNameBytes = 256;
 /// A fill of one value per channel: base colour, metalness and roughness on, at the values of an
 /// empty stack.
 Layer value_layer();
-/// A fill whose base colour is an image, read as sRGB unless it holds floats. Named for the image.
+/// A fill whose base colour is an image, read as the file says. Named for the image.
 Layer image_layer(const ImageAsset& image);
 /// A fill whose base colour is a noise from black to white.
 Layer procedural_layer(ProceduralKind kind);

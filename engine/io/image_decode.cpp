@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <exception>
@@ -97,6 +98,20 @@ OIIO::TypeDesc type_desc_of(SampleType type) {
     return OIIO::TypeDesc::FLOAT;
 }
 
+/// What the file says of its colours, else what its numbers imply: floats are light.
+ColorSpace color_space_of(const OIIO::ImageSpec& spec) {
+    std::string stated = spec.get_string_attribute("oiio:ColorSpace");
+    std::transform(stated.begin(), stated.end(), stated.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (stated == "linear" || stated == "scene_linear" || stated == "lin_srgb" ||
+        stated == "lin_rec709")
+        return ColorSpace::Linear;
+    const bool is_float = spec.format.basetype == OIIO::TypeDesc::FLOAT ||
+                          spec.format.basetype == OIIO::TypeDesc::HALF ||
+                          spec.format.basetype == OIIO::TypeDesc::DOUBLE;
+    return is_float && stated.empty() ? ColorSpace::Linear : ColorSpace::Srgb;
+}
+
 Result<OpenImage> open_image(ByteSpan encoded, std::string_view name) {
     const std::string_view format = image_format(encoded, name);
     if (format.empty())
@@ -123,6 +138,7 @@ Result<OpenImage> open_image(ByteSpan encoded, std::string_view name) {
     open.header.height = spec.height;
     open.header.channels = std::min(spec.nchannels, 4);
     open.header.type = sample_type_of(spec.format);
+    open.header.color_space = color_space_of(spec);
     return open;
 }
 
@@ -153,6 +169,26 @@ bool is_png(ByteSpan encoded) {
     return has_magic(kFormats.front(), encoded);
 }
 
+/// A gAMA chunk of 1 and no sRGB chunk that overrules it. PNG, sections 11.3.3.2 and 11.3.3.5.
+ColorSpace color_space_of_png(ByteSpan encoded) {
+    const auto word = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            value = value << 8 | static_cast<std::uint32_t>(encoded[at + i]);
+        return value;
+    };
+    bool linear = false;
+    for (std::size_t at = 8; at + 12 <= encoded.size();) {
+        const std::uint32_t length = word(at);
+        const std::string_view type(reinterpret_cast<const char*>(encoded.data()) + at + 4, 4);
+        if (type == "IDAT" || length > encoded.size() - at - 12) break;
+        if (type == "sRGB") return ColorSpace::Srgb;
+        if (type == "gAMA" && length == 4) linear = word(at + 8) == 100000;
+        at += std::size_t{12} + length;
+    }
+    return linear ? ColorSpace::Linear : ColorSpace::Srgb;
+}
+
 Result<ImagePtr> decode_png_within(ByteSpan encoded, const ImageLimits& limits) {
     const auto header = read_png_header(encoded);
     if (!header) return passed_on(header);
@@ -173,6 +209,15 @@ std::string_view image_format(ByteSpan encoded, std::string_view name) {
     return {};
 }
 
+bool has_image_extension(std::string_view name) {
+    const std::string extension = lower_extension(name) + ' ';
+    return extension.size() > 1 &&
+           std::any_of(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+               const std::size_t at = format.extensions.find(extension);
+               return at != std::string_view::npos && (at == 0 || format.extensions[at - 1] == ' ');
+           });
+}
+
 std::string_view mime_type_of_format(std::string_view name) {
     for (const Format& format : kFormats)
         if (format.name == name) return format.mime_type;
@@ -190,7 +235,11 @@ Status check_image_size(const ImageHeader& header, const ImageLimits& limits) {
 }
 
 Result<ImageHeader> read_image_header(ByteSpan encoded, std::string_view name) try {
-    if (is_png(encoded)) return read_png_header(encoded);
+    if (is_png(encoded)) {
+        auto header = read_png_header(encoded);
+        if (header) header->color_space = color_space_of_png(encoded);
+        return header;
+    }
     const auto open = open_image(encoded, name);
     if (!open) return passed_on(open);
     return open->header;

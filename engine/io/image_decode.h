@@ -21,6 +21,8 @@ struct ImageHeader {
     int channels = 0;  ///< as they will be decoded, 1 to 4
     SampleType type = SampleType::U8;
     std::string format;  ///< OpenImageIO's name, such as "png"
+    /// Of its colours: as the file says, else linear for floats and sRGB for integers.
+    ColorSpace color_space = ColorSpace::Srgb;
 
     std::uint64_t decoded_bytes() const {
         return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
@@ -31,6 +33,8 @@ struct ImageHeader {
 /// OpenImageIO's name of a format, told by content, else by the extension of `name`; empty if it
 /// is unknown.
 std::string_view image_format(std::span<const std::byte> encoded, std::string_view name);
+/// Whether a file's name ends as those of a format that is read do.
+bool has_image_extension(std::string_view name);
 /// "image/png" for "png", and so on.
 std::string_view mime_type_of_format(std::string_view format);
 

@@ -126,8 +126,10 @@ Result<ImageAssetPtr> ImageStore::add(std::shared_ptr<const Bytes> encoded, std:
         return passed_on(image);
     }
     const Hash128 hash = content_hash(**image);
-    const auto asset =
-        asset_of(hash, **image, name, mime_type_of_format(header->format), std::move(encoded));
+    auto made = std::make_shared<ImageAsset>(
+        *asset_of(hash, **image, name, mime_type_of_format(header->format), std::move(encoded)));
+    made->color_space = header->color_space;
+    const ImageAssetPtr asset = std::move(made);
     state_->keep(hash, *image);
     state_->keep_asset(encoded_hash, asset);
     return asset;
@@ -155,11 +157,16 @@ Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
         if (!asset) return named(asset.error());
         return asset;
     }
+    const auto header = read_image_header(*encoded, name);
+    if (!header) return named(header.error());
     auto png = encode_png(is_float ? as_u16(**image) : **image);
     if (!png) return named(png.error());
-    auto asset = add(std::make_shared<const Bytes>(std::move(*png)), name);
+    const auto asset = add(std::make_shared<const Bytes>(std::move(*png)), name);
     if (!asset) return named(asset.error());
-    return asset;
+    // The PNG says nothing of colours: what the file said holds.
+    auto named_asset = std::make_shared<ImageAsset>(**asset);
+    named_asset->color_space = header->color_space;
+    return ImageAssetPtr(std::move(named_asset));
 }
 
 ImageAssetPtr ImageStore::add_placeholder(const Hash128& hash, std::string_view name,

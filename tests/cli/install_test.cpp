@@ -40,6 +40,11 @@ TEST_F(Installed, HasItsFontsAndTheirLicencesBesideIt) {
         EXPECT_TRUE(fs::is_regular_file(fonts / font)) << font;
 }
 
+TEST_F(Installed, TellsBashHowToCompleteIt) {
+    EXPECT_THAT(file_text(at("moved/share/bash-completion/completions/patina")),
+                HasSubstr("complete -F _patina patina"));
+}
+
 TEST_F(Installed, KeepsNoPathOfWhereItWasBuilt) {
     EXPECT_THAT(file_text(program_), Not(HasSubstr(PATINA_SOURCE_DIR)));
 }

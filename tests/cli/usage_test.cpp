@@ -15,13 +15,15 @@ class Usage : public ProgramTest {};
 TEST_F(Usage, HelpNamesEveryCommandAndTheLimits) {
     const Outcome help = patina({"--help"});
     ASSERT_TRUE(succeeded(help));
-    for (const char* word : {"bake", "render", "info", "check", "preset", "sample", "16384"})
+    for (const char* word : {"bake", "render", "export", "info", "explain", "compare", "check",
+                             "preset", "sample", "completion", "16384"})
         EXPECT_THAT(help.out, HasSubstr(word));
     EXPECT_THAT(help.errors, IsEmpty());
 }
 
 TEST_F(Usage, EveryCommandHasHelpWithAnExample) {
-    for (const char* command : {"bake", "render", "info", "check", "preset", "sample"}) {
+    for (const char* command :
+         {"bake", "render", "export", "info", "explain", "compare", "check", "preset", "sample"}) {
         const Outcome help = patina({command, "--help"});
         ASSERT_TRUE(succeeded(help)) << command;
         EXPECT_THAT(help.out, HasSubstr(std::string("  patina ") + command)) << command;

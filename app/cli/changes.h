@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// What the command line lays on a document before it is baked or drawn: folders of textures,
+/// presets, layers and single values, in this order.
+
+#include <CLI/CLI.hpp>
+
+#include "cli/input.h"
+#include "document/setting.h"
+
+namespace patina::cli {
+
+/// `WHAT[@MATERIAL]`, as typed.
+struct LayRequest {
+    std::string what;
+    std::string material;  ///< empty: every material
+};
+
+struct Changes {
+    std::vector<LayRequest> textures;  ///< folders
+    PresetRequests presets;
+    std::vector<LayRequest> layers;  ///< files of JSON, or JSON itself
+    std::vector<Setting> settings;
+};
+
+/// `--textures`, `--preset`, `--knob`, `--layer` and `--set`, each of which may be given several
+/// times.
+void add_change_options(CLI::App& app, Changes& changes);
+
+/// @param quiet  the guesses of --textures are not printed (they go to the standard error stream)
+Status apply_changes(io::LoadedDocument& loaded, const Changes& changes, bool quiet,
+                     const Progress& progress = {});
+
+}  // namespace patina::cli
