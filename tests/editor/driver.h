@@ -110,6 +110,7 @@ class Editor {
     // Not the corner: GLFW takes a move to 0, 0 for one of its own and keeps quiet about it.
     mutable int pointer_x_ = 8;
     mutable int pointer_y_ = 8;
+    mutable int settled_times_ = 0;  ///< so that no place is waited at twice in a row
 };
 
 }  // namespace patina::editor_tests

@@ -191,8 +191,8 @@ void Walk::undo_and_redo_all(const Editor& editor) const {
         SCOPED_TRACE("undone to step " + std::to_string(i));
         editor.key("ctrl+z");
         ASSERT_TRUE(editor.wait_fact("content", steps_[i].content));
-        // Every other picture is enough to see that pictures follow documents.
-        if (is_sample() || i % 3 == 0) expect_same(look(editor), steps_[i]);
+        // Elsewhere the ends are enough to see that pictures follow documents.
+        if (is_sample() || i == 0) expect_same(look(editor), steps_[i]);
     }
     EXPECT_EQ(editor.fact("edited"), "no");
     for (std::size_t i = 1; i < steps_.size(); ++i) {
@@ -216,7 +216,9 @@ void Walk::compare_shadings(const Editor& editor) const {
     editor.key("v");
     ASSERT_TRUE(editor.wait_fact("compare", "split"));
     ASSERT_EQ(editor.fact("right"), "phong");
-    for (const double to : {5.5, -8.0}) {
+    const std::vector<double> places =
+        is_sample() ? std::vector<double>{5.5, -8.0} : std::vector<double>{-4.0};
+    for (const double to : places) {
         const std::string before = editor.fact("divider");
         ASSERT_TRUE(editor.drag("Viewport", "Divider", "handle", 0.5, to));
         ASSERT_TRUE(editor.wait_for("the divider to move",

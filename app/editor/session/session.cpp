@@ -273,8 +273,7 @@ void Session::light_with(const std::string& name) {
     environment_name_ = name;
     const Result<EnvironmentSource> source = environments_.find(name);
     if (source) return filter_environment(*source, Environments::label_of(name));
-    log_warning("{}", source.error().message);
-    toast(ToastKind::Note, source.error().message);
+    toast(ToastKind::Error, source.error().message);
     filter_environment({.builtin = "studio"}, "Studio");
 }
 
