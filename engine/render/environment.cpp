@@ -11,6 +11,8 @@
 
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
+#include "render/environment_brdf.h"
+#include "render/environment_suns.h"
 #include "render/radiance_cube.h"
 #include "render/radiance_map.h"
 
@@ -18,7 +20,6 @@ namespace patina::render {
 namespace {
 
 constexpr float kLargestHalf = 65504.0f;
-constexpr int kSpecularLevels = 6;
 
 /// What the two qualities cost.
 struct FilterSettings {
@@ -104,8 +105,8 @@ std::vector<std::uint16_t> sharp_level(CubeLevel level, const Progress& progress
     });
 }
 
-/// A direction of the GGX lobe about z for n = v = r, its share of the lobe, and the level of the
-/// source whose texels are as large as the part of the lobe that it stands for.
+/// A direction of the lobe, its share of it, and the level of the source whose texels are as large
+/// as the part of the lobe that it stands for.
 struct LobeSample {
     glm::vec3 direction;
     float weight;
@@ -115,29 +116,18 @@ struct LobeSample {
 /// Filtered importance sampling. J. Krivanek and M. Colbert, "Real-time shading with filtered
 /// importance sampling", 2008: each sample reads a level as coarse as the sample is rare, and one
 /// more, so that neighbours overlap.
-std::vector<LobeSample> ggx_lobe(float roughness, unsigned count, int face_size,
-                                 std::size_t levels) {
-    const float alpha = formulae::alpha_from_roughness(roughness);
+std::vector<LobeSample> filtered_lobe(float roughness, unsigned count, int face_size,
+                                      std::size_t levels) {
     const float texel_angle =
         4.0f * glm::pi<float>() /
         (6.0f * static_cast<float>(face_size) * static_cast<float>(face_size));
     std::vector<LobeSample> samples;
-    float total = 0.0f;
-    for (unsigned i = 0; i < count; ++i) {
-        formulae::Real2 u = formulae::hammersley(i, count);
-        u.y = u.y * (1.0f - 1.0f / static_cast<float>(count)) + 0.5f / static_cast<float>(count);
-        const formulae::Real3 h = formulae::sample_ggx_half_vector(u, alpha);
-        const glm::vec3 l(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
-        if (l.z <= 0.0f) continue;
-        const float density = 0.25f * formulae::distribution_ggx(h.z, alpha);
-        const float sample_angle = 1.0f / (static_cast<float>(count) * density);
-        const float level = 0.5f * std::log2(sample_angle / texel_angle) + 1.0f;
-        samples.push_back({l, l.z,
+    for (const LobeDirection& each : prefiltered_lobe(roughness, count)) {
+        const float level = 0.5f * std::log2(each.solid_angle / texel_angle) + 1.0f;
+        samples.push_back({each.direction, each.weight,
                            static_cast<std::size_t>(
                                std::clamp(level + 0.5f, 0.0f, static_cast<float>(levels - 1)))});
-        total += l.z;
     }
-    for (LobeSample& sample : samples) sample.weight /= total;
     return samples;
 }
 
@@ -151,15 +141,17 @@ glm::mat3 frame_about(const glm::vec3& n) {
         {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-HalfCube filter_specular(const RadianceCube& source, const FilterSettings& settings,
-                         const Progress& progress) {
+/// @param sharp   the whole map, for the first level
+/// @param source  the map without suns, for the others
+HalfCube filter_specular(CubeLevel sharp, const RadianceCube& source,
+                         const FilterSettings& settings, const Progress& progress) {
     HalfCube cube{source[0].side, {}};
-    cube.levels.push_back(sharp_level(source[0], progress));
-    for (int i = 1; i < kSpecularLevels; ++i) {
+    cube.levels.push_back(sharp_level(std::move(sharp), progress));
+    for (int i = 1; i < kPrefilteredLevels; ++i) {
         const float roughness =
-            prefiltered_roughness(static_cast<float>(i) / (kSpecularLevels - 1));
+            prefiltered_roughness(static_cast<float>(i) / (kPrefilteredLevels - 1));
         const std::vector<LobeSample> lobe =
-            ggx_lobe(roughness, settings.samples, source[0].side, source.size());
+            filtered_lobe(roughness, settings.samples, source[0].side, source.size());
         cube.levels.push_back(
             packed_level(source[0].side >> i, progress, [&](const glm::vec3& normal) {
                 const glm::mat3 world_from_lobe = frame_about(normal);
@@ -169,7 +161,7 @@ HalfCube filter_specular(const RadianceCube& source, const FilterSettings& setti
                            radiance_from(source[sample.level], world_from_lobe * sample.direction);
                 return sum;
             }));
-        progress.report(static_cast<float>(i) / kSpecularLevels);
+        progress.report(static_cast<float>(i) / kPrefilteredLevels);
     }
     return cube;
 }
@@ -278,40 +270,21 @@ Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQual
     environment.source = content_hash(equirect);
     environment.quality = quality;
     const int face_size = face_size_for(*map, settings.largest_face);
-    RadianceMap reduced = reduced_to_width(std::move(*map), 4 * face_size);
-    const RadianceCube cube = radiance_cube(reduced, face_size);
-    environment.specular = filter_specular(cube, settings, progress);
-
-    reduced = reduced_to_width(std::move(reduced), settings.diffuse_map_width);
-    environment.diffuse = filter_diffuse(texel_lights(reduced), settings.diffuse_face, progress);
+    const RadianceMap whole = reduced_to_width(std::move(*map), 4 * face_size);
+    MapWithoutSuns parted = take_out_suns(whole);
+    environment.suns = parted.suns;
+    environment.specular =
+        filter_specular(std::move(radiance_cube(whole, face_size).front()),
+                        radiance_cube(parted.rest, face_size), settings, progress);
+    environment.diffuse = filter_diffuse(
+        texel_lights(reduced_to_width(std::move(parted.rest), settings.diffuse_map_width)),
+        settings.diffuse_face, progress);
     constexpr int kKeySearchWidth = 32;
-    split_for_traditional_models(
-        texel_lights(reduced_to_width(std::move(reduced), kKeySearchWidth)), environment);
+    split_for_traditional_models(texel_lights(reduced_to_width(whole, kKeySearchWidth)),
+                                 environment);
     if (progress.cancelled()) return failure("filtering the environment was cancelled");
     progress.report(1.0f);
     return environment;
-}
-
-std::vector<glm::vec2> environment_brdf_table(int size) {
-    constexpr unsigned kSamples = 256;
-    std::vector<glm::vec2> table(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-    parallel_for(0, size, 2, [&](std::int64_t first, std::int64_t last) {
-        for (std::int64_t j = first; j < last; ++j)
-            for (int i = 0; i < size; ++i) {
-                const float n_dot_v = (static_cast<float>(i) + 0.5f) / static_cast<float>(size);
-                const float alpha = formulae::alpha_from_roughness((static_cast<float>(j) + 0.5f) /
-                                                                   static_cast<float>(size));
-                glm::vec2 sum(0.0f);
-                for (unsigned s = 0; s < kSamples; ++s) {
-                    const formulae::Real2 term = formulae::split_sum_sample(
-                        formulae::GEOMETRY_SMITH_SEPARABLE, formulae::hammersley(s, kSamples),
-                        n_dot_v, alpha);
-                    sum += glm::vec2(term.x, term.y);
-                }
-                table[static_cast<std::size_t>(j * size + i)] = sum / float{kSamples};
-            }
-    });
-    return table;
 }
 
 }  // namespace patina::render

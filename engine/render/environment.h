@@ -31,6 +31,13 @@ struct HalfCube {
     std::size_t bytes() const;
 };
 
+/// What is small and bright in a map: a sun, a lamp. Lit as a light of its own.
+struct EnvironmentSun {
+    glm::vec3 towards_world = glm::vec3(0.0f, 1.0f, 0.0f);  ///< unit
+    glm::vec3 irradiance_linear = glm::vec3(0.0f);          ///< on a surface that faces it
+    float radius_radians = 0.0f;                            ///< of a disc as wide
+};
+
 enum class FilterQuality {
     First,     ///< to have light at once: small faces, few samples
     Finished,  ///< what is kept
@@ -41,10 +48,12 @@ struct FilteredEnvironment {
     Hash128 source;  ///< content_hash of the map it was made of
     FilterQuality quality = FilterQuality::First;
     /// Radiance convolved with GGX for n = v = r; level i is for the roughness
-    /// prefiltered_roughness(i / (levels - 1)), level 0 is the map itself.
+    /// prefiltered_roughness(i / (levels - 1)). Level 0 is the map itself; the others, and
+    /// `diffuse`, are without `suns`.
     HalfCube specular;
     /// Irradiance / pi: what a white Lambert surface sends out. One level.
     HalfCube diffuse;
+    std::vector<EnvironmentSun> suns;  ///< at most kMostSuns
     /// The mean of radiance over the sphere, and the strongest directional light in the map (the
     /// way the light travels, and irradiance on a surface that faces it): what the traditional
     /// models see of the environment. Their sum over a sphere keeps the map's energy.
@@ -52,6 +61,9 @@ struct FilteredEnvironment {
     glm::vec3 key_direction_world = glm::vec3(0.0f, -1.0f, 0.0f);
     glm::vec3 key_irradiance_linear = glm::vec3(0.0f);
 };
+
+/// At most this many suns are taken out of a map, the strongest.
+inline constexpr std::size_t kMostSuns = 4;
 
 /// Filters an equirectangular map of any size: 1 to 4 channels (grey or RGB; alpha is ignored), F32
 /// linear, or U8/U16 taken as sRGB. Peaks beyond 65504 are kept in all that is filtered; in the
@@ -77,10 +89,5 @@ Result<Image> builtin_environment(std::string_view id, int height = 256);
 /// More levels are spent on smooth surfaces, where the eye sees steps.
 float prefiltered_roughness(float level_share);
 float prefiltered_level_share(float roughness);
-
-/// The environment term of the split sum for glTF's default terms: texel (i, j) of a size x size
-/// table holds, for n.v = (i + 0.5) / size and roughness = (j + 0.5) / size, the scale (x) and bias
-/// (y) of F0 in the directional albedo, F0 * x + y. Karis, "Real Shading in Unreal Engine 4", 2013.
-std::vector<glm::vec2> environment_brdf_table(int size);
 
 }  // namespace patina::render

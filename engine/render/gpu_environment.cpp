@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/gpu_environment.h"
 
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
+
+#include "render/environment_brdf.h"
 
 namespace patina::render {
 namespace {
@@ -45,17 +49,18 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
                           .ambient_linear = environment.ambient_linear,
                           .key_direction_environment = environment.key_direction_world,
                           .key_irradiance_linear = environment.key_irradiance_linear,
+                          .suns = environment.suns,
                           .levels = static_cast<int>(environment.specular.levels.size())};
 }
 
 Result<gl::Texture> upload_environment_brdf() {
-    const std::vector<glm::vec2> table = environment_brdf_table(kBrdfTableSize);
+    const std::vector<EnvironmentBrdf> table = environment_brdf_table(kBrdfTableSize);
     Result<gl::Texture> texture = gl::Texture::make({.label = "environment.brdf",
                                                      .size = {kBrdfTableSize, kBrdfTableSize},
-                                                     .format = gl::Format::Rg32F});
+                                                     .format = gl::Format::Rgba32F});
     if (!texture) return texture;
     texture->upload({.size = {kBrdfTableSize, kBrdfTableSize}},
-                    std::span(&table.front().x, 2 * table.size()));
+                    std::span(&table.front().scale, 4 * table.size()));
     return texture;
 }
 
@@ -63,6 +68,23 @@ glm::mat3 environment_from_world(float rotation_degrees) {
     return glm::mat3(
         glm::rotate(glm::mat4(1.0f), glm::radians(-rotation_degrees), glm::vec3(0.0f, 1.0f, 0.0f)));
 }
+
+namespace {
+
+/// Laid out as passes/environment.glsl says.
+void set_suns(gl::Program& program, const std::vector<EnvironmentSun>& suns) {
+    std::array<glm::vec4, kMostSuns> towards = {};
+    std::array<glm::vec4, kMostSuns> irradiance = {};
+    for (std::size_t i = 0; i < suns.size(); ++i) {
+        towards[i] = {suns[i].towards_world, suns[i].radius_radians};
+        irradiance[i] = {suns[i].irradiance_linear, 0.0f};
+    }
+    program.set("sun_count", static_cast<int>(suns.size()));
+    program.set("sun_towards[0]", std::span<const glm::vec4>(towards));
+    program.set("sun_irradiance[0]", std::span<const glm::vec4>(irradiance));
+}
+
+}  // namespace
 
 void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
                       const gl::Texture& brdf, const gl::Sampler& linear, const View& view) {
@@ -73,6 +95,7 @@ void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment
     program.set("environment_from_world",
                 environment_from_world(view.environment_rotation_degrees));
     program.set("environment_intensity", view.environment_intensity);
+    set_suns(program, environment.suns);
 }
 
 Result<GpuGroundShadow> upload_ground_shadow(const GroundShadow& shadow) {

@@ -19,6 +19,7 @@ struct GpuEnvironment {
     glm::vec3 ambient_linear;
     glm::vec3 key_direction_environment;  ///< the way the light travels, before rotation
     glm::vec3 key_irradiance_linear;
+    std::vector<EnvironmentSun> suns;
     int levels = 1;
 };
 

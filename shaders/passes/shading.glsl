@@ -14,6 +14,10 @@ const int SHADING_BLINN_PHONG = 2;
 
 const BrdfTerms TERMS = BrdfTerms(DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE);
 
+/// The lecture's diffuse term is for lamps, whose light it does not divide by pi.
+const BrdfTerms AMBIENT_TERMS = BrdfTerms(
+    DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE == DIFFUSE_LECTURE ? DIFFUSE_LAMBERT : DIFFUSE);
+
 uniform vec3 key_direction;     // towards the light whose terms D, F and G can be shown, unit
 uniform vec3 ambient_radiance;  // Phong: the mean of the environment
 uniform vec3 ambient_key_irradiance;  // Phong: its strongest directional light ...
@@ -48,14 +52,30 @@ vec3 dielectric_part_f0(Surface s) {
     return clamp(rest / max(1.0 - s.metalness, 1e-3), 0.0, 1.0);
 }
 
+/// Adds the suns of the environment to its filtered light.
+void add_suns(inout Lit lit, Surface s, vec3 v, vec3 diffuse, vec3 dielectric, vec3 boost,
+              float level_share) {
+    float missing = suns_missing(level_share);
+    for (int i = 0; i < sun_count; ++i) {
+        vec3 towards = transpose(environment_from_world) * sun_towards[i].xyz;
+        ReflectionAngles angles = reflection_angles(s.normal, v, towards);
+        vec3 received = s.occlusion * environment_intensity * sun_irradiance[i].rgb * angles.n_dot_l;
+        float roughness = roughness_under_disc(s.roughness, sun_towards[i].w);
+        lit.diffuse_ambient +=
+            received * brdf_diffuse(AMBIENT_TERMS, angles, diffuse, dielectric, s.f90, s.roughness);
+        lit.specular_ambient +=
+            missing * received * boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
+    }
+}
+
 Lit lit_pbr(Surface s, vec3 v) {
     Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 diffuse = diffuse_color(s.base_color, s.metalness);
     vec3 dielectric = dielectric_part_f0(s);
     float n_dot_v = clamp(dot(s.normal, v), LEAST_N_DOT_V, 1.0);
-    vec2 albedo = environment_albedo(n_dot_v, s.roughness);
+    EnvironmentBrdf environment = environment_brdf_of(n_dot_v, s.roughness);
     vec3 boost = MULTIPLE_SCATTERING == 1
-                     ? multiple_scattering_scale(s.f0, albedo.x + albedo.y)
+                     ? multiple_scattering_scale(s.f0, environment.scale + environment.bias)
                      : vec3(1.0);
 
     for (int i = 0; i < light_count; ++i) {
@@ -69,11 +89,11 @@ Lit lit_pbr(Surface s, vec3 v) {
     }
 
     // The split sum: what is mirrored of a uniform environment, times the filtered one.
-    vec3 mirrored = (s.f0 * albedo.x + s.f90 * albedo.y) * boost;
-    lit.specular_ambient = s.occlusion * mirrored *
-                           environment_radiance(reflect(-v, s.normal), s.roughness);
-    vec3 entering = 1.0 - (dielectric * albedo.x + s.f90 * albedo.y);
+    vec3 mirrored = (s.f0 * environment.scale + s.f90 * environment.bias) * boost;
+    lit.specular_ambient = s.occlusion * mirrored * environment_mirrored(environment, s.normal, v);
+    vec3 entering = 1.0 - mix(dielectric, vec3(s.f90), schlick_mean(n_dot_v));
     lit.diffuse_ambient = s.occlusion * diffuse * entering * environment_diffuse(s.normal);
+    add_suns(lit, s, v, diffuse, dielectric, boost, environment.level_share);
     return lit;
 }
 

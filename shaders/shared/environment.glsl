@@ -76,19 +76,30 @@ Real sh9_irradiance_over_pi(Sh9 radiance, Sh9 basis) {
     return order0 + order1 * (2.0f / 3.0f) + order2 * 0.25f;
 }
 
-/// What one sample adds to the split sum's table: the scale (x) and bias (y) of F0 in the
-/// directional albedo at n.v, for u of the unit square; the mean over u is the texel.
-/// Brian Karis, "Real shading in Unreal Engine 4", 2013.
-Real2 split_sum_sample(int geometry, Real2 u, Real n_dot_v, Real alpha) {
+/// What one sample adds to the split sum: its light direction in the tangent frame (z along the
+/// normal, the eye in the x-z plane), and the scale and bias of F0 in the directional albedo. The
+/// means over the unit square are the albedo F0 * scale + bias. 0 where the light is below.
+struct SplitSumSample {
+    Real3 light;
+    Real scale;
+    Real bias;
+};
+
+/// For u of the unit square. Brian Karis, "Real shading in Unreal Engine 4", 2013.
+SplitSumSample split_sum_sample(int geometry, Real2 u, Real n_dot_v, Real alpha) {
     Real3 h = sample_ggx_half_vector(u, alpha);
     Real3 v = Real3(sqrt(max(1.0f - n_dot_v * n_dot_v, 0.0f)), 0.0f, n_dot_v);
     Real v_dot_h = clamp(dot(v, h), 0.0f, 1.0f);
-    Real n_dot_l = 2.0f * v_dot_h * h.z - v.z;
+    SplitSumSample result;
+    result.light = h * (2.0f * v_dot_h) - v;
+    Real n_dot_l = result.light.z;
     Real lit = visibility(geometry, max(n_dot_l, 0.0f), n_dot_v, alpha) * 4.0f * n_dot_l * v_dot_h /
                max(h.z, 1e-6f);
     Real weight = select(n_dot_l > 0.0f, lit, 0.0f);
     Real grazing = schlick_weight(v_dot_h);
-    return Real2((1.0f - grazing) * weight, grazing * weight);
+    result.scale = (1.0f - grazing) * weight;
+    result.bias = grazing * weight;
+    return result;
 }
 
 // The levels of a prefiltered cube are spread so that smooth surfaces, where the eye sees steps,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/environment.h"
+#include "render/environment_brdf.h"
 
 #include <gtest/gtest.h>
 
@@ -149,13 +150,13 @@ TEST(Environment, AnUnknownNameIsAFailureThatListsTheKnownOnes) {
 
 TEST(Environment, TheBrdfTableReflectsEverythingOfAMirrorAndLessOfARoughWhiteMetal) {
     constexpr int kSize = 32;
-    const std::vector<glm::vec2> table = environment_brdf_table(kSize);
+    const std::vector<EnvironmentBrdf> table = environment_brdf_table(kSize);
     for (int i = 4; i < kSize; ++i) {
-        const glm::vec2 smooth = table[static_cast<std::size_t>(i)];
-        EXPECT_NEAR(smooth.x + smooth.y, 1.0f, 0.01f) << "roughness 0, column " << i;
-        const glm::vec2 rough = table[static_cast<std::size_t>((kSize - 1) * kSize + i)];
-        EXPECT_LT(rough.x + rough.y, 0.95f);
-        EXPECT_GT(rough.x + rough.y, 0.3f);
+        const EnvironmentBrdf smooth = table[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(smooth.scale + smooth.bias, 1.0f, 0.01f) << "roughness 0, column " << i;
+        const EnvironmentBrdf rough = table[static_cast<std::size_t>((kSize - 1) * kSize + i)];
+        EXPECT_LT(rough.scale + rough.bias, 0.95f);
+        EXPECT_GT(rough.scale + rough.bias, 0.3f);
     }
 }
 

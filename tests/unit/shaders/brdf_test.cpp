@@ -295,5 +295,33 @@ TEST(Brdf, SampledHalfVectorsHaveTheDensityOfGgx) {
     }
 }
 
+TEST(Brdf, TheMeanOfSchlicksCurveIsTheFittedIntegral) {
+    for (const float n_dot_v : {0.0f, 0.1f, 0.35f, 0.6f, 0.85f, 1.0f}) {
+        const double sine = std::sqrt(1.0 - double{n_dot_v} * n_dot_v);
+        double sum = 0.0;
+        const int steps = 300;
+        for (int i = 0; i < steps; ++i)
+            for (int k = 0; k < steps; ++k) {
+                // Points that are even in the square of the cosine are weighted by it.
+                const double cosine = std::sqrt((i + 0.5) / steps);
+                const double along = std::sqrt(1.0 - cosine * cosine) *
+                                     std::cos((k + 0.5) * 3.14159265358979 / steps);
+                const double v_dot_l = sine * along + double{n_dot_v} * cosine;
+                sum += std::pow(1.0 - std::sqrt(std::max(0.5 + 0.5 * v_dot_l, 0.0)), 5.0);
+            }
+        EXPECT_NEAR(formulae::schlick_mean(n_dot_v), sum / (steps * steps), 1e-5) << n_dot_v;
+    }
+}
+
+TEST(Brdf, ADiscWidensAHighlightAndAPointDoesNot) {
+    for (const float roughness : {0.1f, 0.5f, 1.0f}) {
+        EXPECT_NEAR(formulae::roughness_under_disc(roughness, 0.0f), roughness, 1e-6f);
+        EXPECT_GT(formulae::roughness_under_disc(roughness, 0.1f), roughness);
+    }
+    // A mirror shows the disc: as wide as a lobe of alpha = radius / sqrt(8).
+    EXPECT_NEAR(std::pow(formulae::roughness_under_disc(0.0f, 0.4f), 2.0f), 0.4f / std::sqrt(8.0f),
+                1e-3f);
+}
+
 }  // namespace
 }  // namespace patina

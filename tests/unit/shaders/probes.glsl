@@ -226,10 +226,11 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
                      cube_direction(3, a.z, b.z).y);
     }
     Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
-    Real2 table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
-                                   alpha_from_roughness(0.2f + 0.8f * b.y));
+    SplitSumSample table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
+                                            alpha_from_roughness(0.2f + 0.8f * b.y));
     Real level = prefiltered_level_share(b.z);
-    return Real4(table.x, table.y, point.y, prefiltered_roughness(level) + level);
+    return Real4(table.scale + schlick_mean(a.w), table.bias + roughness_under_disc(a.y, 0.1f),
+                 point.y + table.light.z, prefiltered_roughness(level) + level);
 }
 
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.

@@ -62,7 +62,7 @@ inline constexpr Probe kProbes[] = {
     {"heat_map_inferno", 1e-5f},
     {"equirect_direction, sh9_basis, sh9_irradiance_over_pi", 4e-6f},
     {"equirect_uv, cube_texel_solid_angle, cube_direction", 4e-6f},
-    {"hammersley, split_sum_sample, prefiltered_roughness", 1e-4f},
+    {"split_sum_sample, schlick_mean, roughness_under_disc, prefiltered_roughness", 1e-4f},
     {"curve_value, brightened, posterised", 4e-6f},
     {"hue_saturation", 8e-6f},
 };

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "render/environment_brdf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/formulae/formulae.h"
+#include "core/parallel.h"
+#include "render/environment.h"
+
+namespace patina::render {
+namespace {
+
+constexpr unsigned kSamples = 512;
+
+/// How wide each level of the cube is: 1 - the length of its lobe's mean direction.
+using LevelWidths = std::array<double, kPrefilteredLevels>;
+
+LevelWidths level_widths() {
+    LevelWidths widths = {};
+    for (std::size_t i = 1; i < widths.size(); ++i) {
+        const float share = static_cast<float>(i) / (kPrefilteredLevels - 1);
+        widths[i] = 1.0;
+        for (const LobeDirection& each : prefiltered_lobe(prefiltered_roughness(share), kSamples))
+            widths[i] -= double{each.weight} * each.direction.z;
+    }
+    return widths;
+}
+
+/// Between two levels the cube gives their mix, whose mean direction is the mix of theirs.
+double level_share_for(double width, const LevelWidths& widths) {
+    for (std::size_t i = 1; i < widths.size(); ++i)
+        if (width < widths[i])
+            return (static_cast<double>(i - 1) +
+                    (width - widths[i - 1]) / (widths[i] - widths[i - 1])) /
+                   (kPrefilteredLevels - 1);
+    return 1.0;
+}
+
+EnvironmentBrdf table_entry(float n_dot_v, float roughness, const LevelWidths& widths) {
+    const float alpha = formulae::alpha_from_roughness(roughness);
+    double scale = 0.0;
+    double bias = 0.0;
+    glm::dvec2 mean(0.0);  // away from the eye, and along n; across is 0 by symmetry
+    for (unsigned i = 0; i < kSamples; ++i) {
+        const formulae::SplitSumSample sample = formulae::split_sum_sample(
+            formulae::GEOMETRY_SMITH_SEPARABLE, formulae::hammersley(i, kSamples), n_dot_v, alpha);
+        scale += sample.scale;
+        bias += sample.bias;
+        mean += (double{sample.scale} + sample.bias) * glm::dvec2(-sample.light.x, sample.light.z);
+    }
+    const double length = glm::length(mean);
+    const double sine = std::sqrt(std::max(1.0 - double{n_dot_v} * n_dot_v, 1e-8));
+    return {
+        .scale = static_cast<float>(scale / kSamples),
+        .bias = static_cast<float>(bias / kSamples),
+        .tangent_scale = static_cast<float>(mean.x / (length * sine)),
+        .level_share = static_cast<float>(level_share_for(1.0 - length / (scale + bias), widths))};
+}
+
+}  // namespace
+
+std::vector<LobeDirection> prefiltered_lobe(float roughness, unsigned count) {
+    const float alpha = formulae::alpha_from_roughness(roughness);
+    std::vector<LobeDirection> lobe;
+    float total = 0.0f;
+    for (unsigned i = 0; i < count; ++i) {
+        formulae::Real2 u = formulae::hammersley(i, count);
+        u.y = u.y * (1.0f - 1.0f / static_cast<float>(count)) + 0.5f / static_cast<float>(count);
+        const formulae::Real3 h = formulae::sample_ggx_half_vector(u, alpha);
+        const glm::vec3 l(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
+        if (l.z <= 0.0f) continue;
+        const float density = 0.25f * formulae::distribution_ggx(h.z, alpha);
+        lobe.push_back({l, l.z, 1.0f / (static_cast<float>(count) * density)});
+        total += l.z;
+    }
+    for (LobeDirection& each : lobe) each.weight /= total;
+    return lobe;
+}
+
+std::vector<EnvironmentBrdf> environment_brdf_table(int size) {
+    const LevelWidths widths = level_widths();
+    std::vector<EnvironmentBrdf> table(static_cast<std::size_t>(size) *
+                                       static_cast<std::size_t>(size));
+    parallel_for(0, size, 2, [&](std::int64_t first, std::int64_t last) {
+        for (std::int64_t j = first; j < last; ++j)
+            for (int i = 0; i < size; ++i)
+                table[static_cast<std::size_t>(j * size + i)] =
+                    table_entry((static_cast<float>(i) + 0.5f) / static_cast<float>(size),
+                                (static_cast<float>(j) + 0.5f) / static_cast<float>(size), widths);
+    });
+    return table;
+}
+
+}  // namespace patina::render

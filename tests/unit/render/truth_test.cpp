@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+
+/// How near the renderer's picture is to the integral that it stands for: spheres of every
+/// roughness in real and built-in light, against a sum over all texels of the environment.
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <random>
+
+#include "core/files.h"
+#include "core/parallel.h"
+#include "io/image_decode.h"
+#include "render/reflected_light.h"
+#include "render/render_test.h"
+
+namespace patina::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the map that both sides are given: the sum over its texels is what takes the time.
+constexpr int kMapWidth = 256;
+constexpr PictureSize kPicture = {192, 192};
+constexpr int kPixelsPerSphere = 40;
+constexpr glm::vec3 kCenter(0.0f, 0.5f, 0.0f);
+constexpr float kRadius = 0.5f;
+
+struct SpherePoint {
+    Pixel pixel;
+    glm::vec3 normal;
+    glm::vec3 to_eye;
+};
+
+/// The sphere where a pixel's point (x, y from its upper left corner, 0 to 1) looks.
+std::optional<SpherePoint> sphere_at(const Camera& camera, Pixel pixel, glm::vec2 within) {
+    const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::vec3 up = glm::cross(right, forward);
+    const float half = std::tan(glm::radians(camera.fov_y_degrees) * 0.5f);
+    const float x = (static_cast<float>(pixel.x) + within.x) / kPicture.width * 2.0f - 1.0f;
+    const float y = 1.0f - (static_cast<float>(pixel.y) + within.y) / kPicture.height * 2.0f;
+    const glm::vec3 direction = glm::normalize(forward + half * (x * right + y * up));
+    const glm::vec3 from_center = camera.position - kCenter;
+    const float b = glm::dot(from_center, direction);
+    const float root = b * b - glm::dot(from_center, from_center) + kRadius * kRadius;
+    if (root < 0.0f) return std::nullopt;
+    const glm::vec3 hit = camera.position + (-b - std::sqrt(root)) * direction;
+    return SpherePoint{pixel, (hit - kCenter) / kRadius, -direction};
+}
+
+bool wholly_covered(const Camera& camera, Pixel pixel) {
+    for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1)})
+        if (!sphere_at(camera, pixel, corner)) return false;
+    return true;
+}
+
+/// The same well spread pixels in every run.
+std::vector<Pixel> chosen_pixels(const Camera& camera) {
+    std::mt19937 random(7);
+    std::vector<Pixel> pixels;
+    while (pixels.size() < kPixelsPerSphere) {
+        const Pixel pixel{static_cast<int>(random() % kPicture.width),
+                          static_cast<int>(random() % kPicture.height)};
+        if (wholly_covered(camera, pixel)) pixels.push_back(pixel);
+    }
+    return pixels;
+}
+
+/// What a mirror shows varies within a pixel: the mean over a grid of points.
+glm::dvec3 true_mirrored(const ReflectedLight& light, const Camera& camera, Pixel pixel,
+                         const ReflectingMaterial& material) {
+    constexpr int kSide = 8;
+    glm::dvec3 sum(0.0);
+    int count = 0;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const glm::vec2 within((glm::vec2(x, y) + 0.5f) / static_cast<float>(kSide));
+            const auto point = sphere_at(camera, pixel, within);
+            if (!point) continue;
+            sum += light.mirrored(point->normal, point->to_eye, material);
+            ++count;
+        }
+    return sum / static_cast<double>(count);
+}
+
+glm::dvec3 true_radiance(const ReflectedLight& light, const Camera& camera, Pixel pixel,
+                         const ReflectingMaterial& material) {
+    const SpherePoint middle = *sphere_at(camera, pixel, glm::vec2(0.5f));
+    const glm::dvec3 sum = light.summed(middle.normal, middle.to_eye, material);
+    return material.is_smooth() ? sum + true_mirrored(light, camera, pixel, material) : sum;
+}
+
+/// Roughness in sixths and metalness in halves.
+std::vector<ReflectingMaterial> materials() {
+    std::vector<ReflectingMaterial> result;
+    for (const float metalness : {0.0f, 0.5f, 1.0f})
+        for (int sixth = 0; sixth <= 6; ++sixth)
+            result.push_back(
+                {glm::vec3(0.9f, 0.6f, 0.3f), metalness, static_cast<float>(sixth) / 6.0f});
+    return result;
+}
+
+std::string_view group_of(const ReflectingMaterial& material) {
+    if (material.metalness == 0.0f) return "non-metals";
+    if (material.metalness < 1.0f) return "half-metals";
+    return material.roughness == 0.0f ? "mirror" : "metals";
+}
+
+class TruthTest : public RenderTest {
+  protected:
+    void SetUp() override {
+#ifdef __SANITIZE_ADDRESS__
+        GTEST_SKIP() << "the sum over all texels takes minutes under sanitizers";
+#endif
+        RenderTest::SetUp();
+    }
+    /// The geometric mean of the error of each group.
+    std::map<std::string_view, double> errors(const Image& environment, int samples) {
+        const RadianceMap map = reduced_to_width(value_of(radiance_map(environment)), kMapWidth);
+        const FilteredEnvironment filtered =
+            value_of(filter_environment(image_of(map), FilterQuality::Finished));
+        EXPECT_TRUE(renderer().set_environment(filtered));
+        const ReflectedLight light(map);
+        view_.camera = framed(renderer().bounds_world(), 1.0f, ViewDirection::ThreeQuarter);
+        const std::vector<Pixel> pixels = chosen_pixels(view_.camera);
+        std::map<std::string_view, std::vector<double>> cells;
+        for (const ReflectingMaterial& material : materials()) {
+            const double error = error_of(light, pixels, material, samples);
+            cells[group_of(material)].push_back(error);
+            std::printf("  metalness %.1f roughness %.3f: %.4f\n",
+                        static_cast<double>(material.metalness),
+                        static_cast<double>(material.roughness), error);
+        }
+        std::map<std::string_view, double> means;
+        for (const auto& [group, values] : cells) {
+            double logs = 0.0;
+            for (const double value : values) logs += std::log(value);
+            means[group] = std::exp(logs / static_cast<double>(values.size()));
+            std::printf("%-12s %.4f\n", std::string(group).c_str(), means[group]);
+        }
+        return means;
+    }
+
+  private:
+    static Image image_of(const RadianceMap& map) {
+        Image image{.width = map.width,
+                    .height = map.height,
+                    .channels = 3,
+                    .type = SampleType::F32,
+                    .data = {}};
+        image.data.resize(image.row_bytes() * static_cast<std::size_t>(map.height));
+        std::memcpy(image.data.data(), map.texels.data(), image.data.size());
+        return image;
+    }
+
+    double error_of(const ReflectedLight& light, const std::vector<Pixel>& pixels,
+                    const ReflectingMaterial& material, int samples) {
+        EXPECT_TRUE(renderer().set_material(
+            0,
+            constant_surface(material.base_color_linear, material.metalness, material.roughness)));
+        const Image picture = value_of(renderer().still_linear(view_, kPicture, samples));
+        std::vector<glm::dvec3> truth(pixels.size());
+        parallel_for(0, static_cast<std::int64_t>(pixels.size()), 1,
+                     [&](std::int64_t first, std::int64_t last) {
+                         for (auto i = static_cast<std::size_t>(first);
+                              i < static_cast<std::size_t>(last); ++i)
+                             truth[i] = true_radiance(light, view_.camera, pixels[i], material);
+                     });
+        RelativeError error;
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            error.add(glm::dvec3(pixel_of(picture, pixels[i].x, pixels[i].y)), truth[i]);
+        return error.value();
+    }
+};
+
+struct Scenery {
+    const char* name;
+    /// The most that the geometric mean of a group's errors may be.
+    double mirror;
+    double metals;
+    double half_metals;
+    double non_metals;
+};
+
+std::string name_of(const testing::TestParamInfo<Scenery>& info) {
+    return info.param.name;
+}
+
+void expect_below(const std::map<std::string_view, double>& means, const Scenery& most) {
+    EXPECT_LT(means.at("mirror"), most.mirror);
+    EXPECT_LT(means.at("metals"), most.metals);
+    EXPECT_LT(means.at("half-metals"), most.half_metals);
+    EXPECT_LT(means.at("non-metals"), most.non_metals);
+}
+
+constexpr int kSamplesPerPixel = 4;
+
+class TruthOfShipped : public TruthTest, public testing::WithParamInterface<Scenery> {};
+
+TEST_P(TruthOfShipped, PrefilteredLightIsNearTheIntegral) {
+    const Image map = value_of(builtin_environment(GetParam().name, 256));
+    expect_below(errors(map, kSamplesPerPixel), GetParam());
+}
+INSTANTIATE_TEST_SUITE_P(Builtin, TruthOfShipped,
+                         testing::Values(Scenery{"studio", 0.09, 0.11, 0.055, 0.025},
+                                         Scenery{"sky", 0.04, 0.04, 0.02, 0.012}),
+                         name_of);
+
+class TruthOfAssets : public TruthTest, public testing::WithParamInterface<Scenery> {};
+
+TEST_P(TruthOfAssets, PrefilteredLightIsNearTheIntegral) {
+    const fs::path file = fs::path(PATINA_SOURCE_DIR) / "../shared/assets/environments" /
+                          (std::string(GetParam().name) + ".hdr");
+    if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+    const auto map = value_of(io::decode_image(value_of(read_file(file)), file.string()));
+    expect_below(errors(*map, kSamplesPerPixel), GetParam());
+}
+INSTANTIATE_TEST_SUITE_P(Assets, TruthOfAssets,
+                         testing::Values(Scenery{"chinese_garden_1k", 0.09, 0.04, 0.03, 0.02},
+                                         Scenery{"noon_grass_1k", 0.06, 0.04, 0.025, 0.015}),
+                         name_of);
+
+}  // namespace
+}  // namespace patina::render
