@@ -270,7 +270,9 @@ Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQual
     environment.source = content_hash(equirect);
     environment.quality = quality;
     const int face_size = face_size_for(*map, settings.largest_face);
-    const RadianceMap whole = reduced_to_width(std::move(*map), 4 * face_size);
+    environment.map =
+        std::make_shared<const RadianceMap>(reduced_to_width(std::move(*map), 4 * face_size));
+    const RadianceMap& whole = *environment.map;
     MapWithoutSuns parted = take_out_suns(whole);
     environment.suns = parted.suns;
     environment.specular =

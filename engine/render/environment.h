@@ -13,11 +13,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 #include "core/progress.h"
 #include "core/result.h"
+#include "render/radiance_map.h"
 #include "scene/image.h"
 
 namespace patina::render {
@@ -47,6 +49,8 @@ enum class FilterQuality {
 struct FilteredEnvironment {
     Hash128 source;  ///< content_hash of the map it was made of
     FilterQuality quality = FilterQuality::First;
+    /// What was filtered, at most 2048 texels wide: stills that converge read it.
+    std::shared_ptr<const RadianceMap> map;
     /// Radiance convolved with GGX for n = v = r; level i is for the roughness
     /// prefiltered_roughness(i / (levels - 1)). Level 0 is the map itself; the others, and
     /// `diffuse`, are without `suns`.

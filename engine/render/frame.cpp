@@ -34,10 +34,11 @@ Status draw_side_with_blended(RendererState& state, const SideView& side, const 
     const PictureTarget local{
         .framebuffer = *radiance,
         .area = {target.area.offset - target.picture_offset, target.area.size},
-        .output = OutputMode::Radiance};
+        .output = OutputMode::Radiance,
+        .still = target.still};
     if (Status done = draw_lighting(state, bare_side, camera, inputs, local); !done) return done;
     if (Status done = draw_blended(state, bare_side, camera, local); !done) return done;
-    return draw_post(state, side, camera, **radiance, target);
+    return draw_post(state, side, camera, {*radiance}, target);
 }
 
 Status draw_side(RendererState& state, const SideView& side, const FrameCamera& camera,
@@ -171,7 +172,8 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
     const PictureTarget whole{.framebuffer = target.framebuffer,
                               .area = {{0, 0}, size},
                               .output = target.output,
-                              .add = target.add};
+                              .add = target.add,
+                              .still = target.still};
     switch (view.compare) {
         case CompareMode::Single:
             return draw_side(state, {view, view.left, FrameSide::Left}, camera, *inputs, whole);
@@ -182,6 +184,25 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
             return draw_difference_frame(state, view, camera, *inputs, whole);
     }
     return {};
+}
+
+Status draw_averaged(RendererState& state, const View& view, glm::ivec2 size,
+                     const gl::Framebuffer& sum, int draws, const FrameTarget& target) {
+    const glm::ivec2 side_size = side_area(view, size, FrameSide::Left).gbuffer_size;
+    const FrameCamera camera =
+        frame_camera(view, state.scene->bounds_world, side_size, glm::vec2(0.0f));
+    const auto post = [&](FrameSide side, const gl::Viewport& area) {
+        return draw_post(state, {view, view.left, side}, camera, {&sum, area.offset, draws},
+                         {.framebuffer = target.framebuffer,
+                          .area = area,
+                          .picture_offset = area.offset,
+                          .output = OutputMode::Display});
+    };
+    if (view.compare != CompareMode::TwoViews) return post(FrameSide::Left, {{0, 0}, size});
+    const glm::ivec2 offset = side_area(view, size, FrameSide::Right).offset;
+    if (offset.x > 0)
+        if (Status done = post(FrameSide::Left, {{0, 0}, {offset.x, size.y}}); !done) return done;
+    return post(FrameSide::Right, {offset, {size.x - offset.x, size.y}});
 }
 
 Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumbnail,

@@ -13,10 +13,16 @@ struct FrameTarget {
     OutputMode output = OutputMode::Srgb;
     bool add = false;                           ///< to what the target holds, for averages
     glm::vec2 jitter_pixels = glm::vec2(0.0f);  ///< see frame_camera
+    std::optional<StillDraw> still = {};        ///< see PictureTarget
 };
 
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                   const FrameTarget& target);
+
+/// Turns a sum of `draws` frames, each drawn as radiance before a transparent background, into
+/// display light over the view's background.
+Status draw_averaged(RendererState& state, const View& view, glm::ivec2 size,
+                     const gl::Framebuffer& sum, int draws, const FrameTarget& target);
 
 /// The strip of channels, each `thumbnail` large, into a target that holds them all.
 Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumbnail,

@@ -50,6 +50,7 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
                           .key_direction_environment = environment.key_direction_world,
                           .key_irradiance_linear = environment.key_irradiance_linear,
                           .suns = environment.suns,
+                          .map = environment.map,
                           .levels = static_cast<int>(environment.specular.levels.size())};
 }
 

@@ -20,6 +20,7 @@ struct GpuEnvironment {
     glm::vec3 key_direction_environment;  ///< the way the light travels, before rotation
     glm::vec3 key_irradiance_linear;
     std::vector<EnvironmentSun> suns;
+    std::shared_ptr<const RadianceMap> map;
     int levels = 1;
 };
 

@@ -23,13 +23,15 @@ constexpr std::array<const char*, 5> kGBufferSamplers = {
 
 using Constants = std::vector<gl::ShaderDefine>;
 
-void add_shading_constants(Constants& constants, const Shading& shading) {
+void add_shading_constants(Constants& constants, const Shading& shading,
+                           const PictureTarget& target) {
     constants.push_back(shader_constant("SHADING_MODEL", shading.model));
     constants.push_back(shader_constant("DISTRIBUTION", shading.terms.distribution));
     constants.push_back(shader_constant("GEOMETRY", shading.terms.geometry));
     constants.push_back(shader_constant("FRESNEL", shading.terms.fresnel));
     constants.push_back(shader_constant("DIFFUSE", shading.terms.diffuse));
     constants.push_back(shader_constant("MULTIPLE_SCATTERING", shading.terms.multiple_scattering));
+    constants.push_back(shader_constant("SAMPLED_ENVIRONMENT", target.still.has_value()));
 }
 
 void add_output_constants(Constants& constants, const View& view, OutputMode output) {
@@ -70,7 +72,9 @@ void set_background(gl::Pass& pass, gl::Program& program, const RendererState& s
 }
 
 void bind_light(gl::Pass& pass, gl::Program& program, const RendererState& state,
-                const SideView& side) {
+                const SideView& side, const PictureTarget& target) {
+    if (target.still)
+        bind_environment_samples(pass, program, *state.sampled_environment, *target.still);
     bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
                      side.view);
     set_lighting(program, side.view, side.shading, *state.environment);
@@ -110,10 +114,10 @@ bool has_surface_target(const LightingInputs& inputs) {
 }
 
 ShaderVariant lighting_variant(const SideView& side, const LightingInputs& inputs,
-                               OutputMode output) {
+                               const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/lighting.frag", {}};
-    add_shading_constants(variant.constants, side.shading);
-    add_output_constants(variant.constants, side.view, output);
+    add_shading_constants(variant.constants, side.shading, target);
+    add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, side.view);
     variant.constants.push_back(shader_constant("CHANNEL", side.view.channel));
     variant.constants.push_back(
@@ -143,7 +147,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
                      const LightingInputs& inputs, const PictureTarget& target,
                      const std::optional<glm::ivec2>& only_pixel) {
     const Result<gl::Program*> found =
-        state.shaders.program(lighting_variant(side, inputs, target.output));
+        state.shaders.program(lighting_variant(side, inputs, target));
     if (!found) return passed_on(found);
     gl::Program& program = **found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Lighting");
@@ -153,7 +157,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
     set_background(pass, program, state, side.view);
     set_channel_range(program, state, side.view, camera);
     program.set("gbuffer_pixel_override", only_pixel.value_or(glm::ivec2(-1)));
-    bind_light(pass, program, state, side);
+    bind_light(pass, program, state, side, target);
     bind_inputs(pass, program, inputs);
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
@@ -162,7 +166,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
 Status draw_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
                     const PictureTarget& target) {
     ShaderVariant variant{"passes/surface.vert", "passes/forward.frag", {}};
-    add_shading_constants(variant.constants, side.shading);
+    add_shading_constants(variant.constants, side.shading, target);
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
     gl::Program& program = **found;
@@ -175,14 +179,14 @@ Status draw_blended(RendererState& state, const SideView& side, const FrameCamer
                    .state = base});
     set_camera(program, camera, target);
     program.set("clip_from_world", camera.clip_from_world);
-    bind_light(pass, program, state, side);
+    bind_light(pass, program, state, side, target);
     draw_surfaces(state, pass, program, base, back_to_front(state.scene->items, side.view.camera),
                   SurfaceSet::Blended);
     return {};
 }
 
 Status draw_post(RendererState& state, const SideView& side, const FrameCamera& camera,
-                 const gl::Framebuffer& radiance, const PictureTarget& target) {
+                 const RadianceInput& radiance, const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/post.frag", {}};
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, side.view);
@@ -196,7 +200,9 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     set_background(pass, program, state, side.view);
     bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
                      side.view);
-    pass.bind_texture(program, "radiance", 0, radiance.color(0));
+    program.set("radiance_offset", radiance.picture_offset);
+    program.set("radiance_share", 1.0f / static_cast<float>(radiance.draws));
+    pass.bind_texture(program, "radiance", 0, radiance.sum->color(0));
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
 }

@@ -3,6 +3,7 @@
 
 /// The passes that make a picture of what the geometry passes wrote. Inside engine/render only.
 
+#include "render/environment_samples.h"
 #include "render/geometry_passes.h"
 
 namespace patina::render {
@@ -17,6 +18,8 @@ struct PictureTarget {
     glm::ivec2 picture_offset = {0, 0};  ///< of the picture's lower left corner, not of the area's
     OutputMode output = OutputMode::Srgb;
     bool add = false;  ///< to what the target holds, for averages
+    /// Set: the environment is sampled, and this draw takes its share; else it is read filtered.
+    std::optional<StillDraw> still = {};
 };
 
 /// One side of a view.
@@ -42,9 +45,16 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
 Status draw_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
                     const PictureTarget& target);
 
+/// What draw_post reads: radiance with coverage, premultiplied.
+struct RadianceInput {
+    const gl::Framebuffer* sum = nullptr;
+    glm::ivec2 picture_offset = {0, 0};  ///< of the picture within it
+    int draws = 1;                       ///< that it is the sum of
+};
+
 /// Turns radiance with coverage into the picture over its background.
 Status draw_post(RendererState& state, const SideView& side, const FrameCamera& camera,
-                 const gl::Framebuffer& radiance, const PictureTarget& target);
+                 const RadianceInput& radiance, const PictureTarget& target);
 
 /// The heat map of two pictures of radiance.
 Status draw_difference(RendererState& state, const View& view, const gl::Framebuffer& left,

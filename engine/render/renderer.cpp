@@ -91,6 +91,7 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       smoothed(color_target("smoothed", gl::Format::Rgba8)),
       strip(color_target("strip", gl::Format::Rgba8)),
       accumulation(color_target("accumulation", gl::Format::Rgba32F)),
+      still(color_target("still", gl::Format::Rgba32F)),
       probe_values(color_target("probe", gl::Format::Rgba32F)) {}
 
 Status require_content(const RendererState& state) {
@@ -141,6 +142,7 @@ Status Renderer::set_environment(const FilteredEnvironment& environment) {
     Result<GpuEnvironment> uploaded = upload_environment(environment);
     if (!uploaded) return passed_on(uploaded);
     state_->environment = std::move(*uploaded);
+    state_->sampled_environment.reset();
     return {};
 }
 

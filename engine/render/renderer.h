@@ -145,6 +145,8 @@ class Renderer {
     std::uintptr_t strip_texture() const;
 
     /// Draws `samples` times with sub-pixel offsets and averages: a still without jagged edges.
+    /// From 64 samples on each draw samples the environment, and the picture converges to the
+    /// integral of the BRDF over it; with fewer it is read filtered.
     /// RGBA U8, sRGB-encoded, straight alpha, row 0 at the top.
     Result<Image> still_srgb(const View& view, PictureSize size, int samples);
     /// The same as linear radiance without exposure and tone map, or the raw numbers of a channel:
@@ -154,7 +156,7 @@ class Renderer {
     /// The same in steps: one more draw with its own sub-pixel offset, and what the draws so far
     /// come to. Pictures may be drawn in between, other stills may not.
     Status draw_sample(Still& still);
-    StillMean mean(const Still& still);
+    Result<StillMean> mean(const Still& still);
 
     /// The picture of the last draw or draw_strip: RGBA U8, sRGB-encoded, row 0 at the top.
     Result<Image> read_picture();

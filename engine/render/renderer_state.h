@@ -11,6 +11,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/sampler.h"
+#include "render/environment_samples.h"
 #include "render/gpu_environment.h"
 #include "render/gpu_materials.h"
 #include "render/gpu_scene.h"
@@ -55,6 +56,7 @@ struct RendererState {
     GpuMaterials materials;
     gl::Texture environment_brdf;
     std::optional<GpuEnvironment> environment;
+    std::optional<SampledEnvironment> sampled_environment;  ///< made for the first still
     std::optional<GpuScene> scene;
     GpuGroundShadow shadow;
 
@@ -68,6 +70,7 @@ struct RendererState {
     SizedTarget smoothed;
     SizedTarget strip;
     SizedTarget accumulation;
+    SizedTarget still;         ///< a sampled still, averaged and in display light
     SizedTarget probe_values;  ///< one texel a channel
 
     View drawn_view;  ///< of the last frame, a sample of a still too

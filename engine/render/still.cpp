@@ -39,17 +39,47 @@ Status check_still(const RendererState& state, PictureSize size, int samples) {
     return {};
 }
 
-/// Adds sample i to the sum; the first clears it.
-Status add_sample(RendererState& state, const View& view, PictureSize size, int i,
+/// With fewer draws the filtered environment is nearer to the truth than samples of it are.
+constexpr int kLeastSampledDraws = 64;
+
+/// Whether each draw samples the environment, so that many draws converge to the integral. What is
+/// sampled is averaged as radiance: a tone map of each draw would not have the same mean.
+bool samples_environment(const View& view, int samples, OutputMode output) {
+    if (samples < kLeastSampledDraws) return false;
+    // The mean of differences of noise is not the difference of the means.
+    if (view.compare == CompareMode::Difference || shows_difference_beside(view)) return false;
+    if (view.left.model != ShadingModel::Pbr &&
+        (view.compare == CompareMode::Single || view.right.model != ShadingModel::Pbr))
+        return false;
+    return output == OutputMode::Radiance || view.channel == ChannelView::Final;
+}
+
+Status ready_to_sample(RendererState& state) {
+    if (state.sampled_environment) return {};
+    Result<SampledEnvironment> made = upload_sampled_environment(state.environment->map);
+    if (!made) return passed_on(made);
+    state.sampled_environment.emplace(std::move(*made));
+    return {};
+}
+
+/// Adds sample i of `samples` to the sum; the first clears it.
+Status add_sample(RendererState& state, const View& view, PictureSize size, int i, int samples,
                   OutputMode output) {
     const glm::ivec2 pixels(size.width, size.height);
     const Result<gl::Framebuffer*> sum = state.accumulation.at(pixels);
     if (!sum) return passed_on(sum);
     if (i == 0)
         const gl::Pass clear({.label = "clear", .target = *sum, .clear_colors = {glm::vec4(0.0f)}});
-    return draw_frame(
-        state, view, pixels,
-        {.framebuffer = *sum, .output = output, .add = true, .jitter_pixels = sample_offset(i)});
+    FrameTarget target{
+        .framebuffer = *sum, .output = output, .add = true, .jitter_pixels = sample_offset(i)};
+    if (!samples_environment(view, samples, output)) return draw_frame(state, view, pixels, target);
+    if (Status ready = ready_to_sample(state); !ready) return ready;
+    target.still = StillDraw{i, samples};
+    if (output == OutputMode::Radiance) return draw_frame(state, view, pixels, target);
+    target.output = OutputMode::Radiance;
+    View bare = view;
+    bare.background.kind = Background::Kind::Transparent;
+    return draw_frame(state, bare, pixels, target);
 }
 
 std::vector<float> mean_of(const gl::Framebuffer& sum, PictureSize size, int samples) {
@@ -64,9 +94,21 @@ Result<std::vector<float>> accumulate(RendererState& state, const View& view, Pi
                                       int samples, OutputMode output) {
     if (Status fits = check_still(state, size, samples); !fits) return passed_on(fits);
     for (int i = 0; i < samples; ++i)
-        if (Status drawn = add_sample(state, view, size, i, output); !drawn)
+        if (Status drawn = add_sample(state, view, size, i, samples, output); !drawn)
             return passed_on(drawn);
     return mean_of(*state.accumulation.get(), size, samples);
+}
+
+/// Display light of what was averaged as radiance, over the background.
+Result<std::vector<float>> finished(RendererState& state, const Still& still) {
+    const glm::ivec2 pixels(still.size.width, still.size.height);
+    const Result<gl::Framebuffer*> target = state.still.at(pixels);
+    if (!target) return passed_on(target);
+    if (Status drawn = draw_averaged(state, still.view, pixels, *state.accumulation.get(),
+                                     still.drawn, {.framebuffer = *target});
+        !drawn)
+        return passed_on(drawn);
+    return (*target)->read_color(0, {0, 0}, pixels);
 }
 
 Image empty_image(PictureSize size, SampleType type) {
@@ -119,20 +161,28 @@ Image srgb_image(const StillMean& still) {
 
 Status Renderer::draw_sample(Still& still) {
     if (Status fits = check_still(*state_, still.size, still.samples); !fits) return fits;
-    if (Status drawn =
-            add_sample(*state_, still.view, still.size, still.drawn, OutputMode::Display);
+    if (Status drawn = add_sample(*state_, still.view, still.size, still.drawn, still.samples,
+                                  OutputMode::Display);
         !drawn)
         return drawn;
     ++still.drawn;
     return {};
 }
 
-StillMean Renderer::mean(const Still& still) {
+Result<StillMean> Renderer::mean(const Still& still) {
     assert(still.drawn > 0);
     // Channels hold exact numbers: noise would change them.
-    return {.size = still.size,
-            .rgba_premultiplied = mean_of(*state_->accumulation.get(), still.size, still.drawn),
-            .dithered = info(still.view.channel).display == ChannelDisplay::Picture};
+    StillMean mean{.size = still.size,
+                   .rgba_premultiplied = {},
+                   .dithered = info(still.view.channel).display == ChannelDisplay::Picture};
+    if (samples_environment(still.view, still.samples, OutputMode::Display)) {
+        Result<std::vector<float>> display = finished(*state_, still);
+        if (!display) return passed_on(display);
+        mean.rgba_premultiplied = std::move(*display);
+    } else {
+        mean.rgba_premultiplied = mean_of(*state_->accumulation.get(), still.size, still.drawn);
+    }
+    return mean;
 }
 
 Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples) {
@@ -140,7 +190,9 @@ Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int sampl
     do {
         if (const Status drawn = draw_sample(still); !drawn) return passed_on(drawn);
     } while (!still.is_finished());
-    return srgb_image(mean(still));
+    const Result<StillMean> averaged = mean(still);
+    if (!averaged) return passed_on(averaged);
+    return srgb_image(*averaged);
 }
 
 Result<Image> Renderer::still_linear(const View& view, PictureSize size, int samples) {

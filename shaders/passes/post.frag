@@ -4,13 +4,15 @@
 
 #include "passes/background.glsl"
 
-uniform sampler2D radiance;  // premultiplied
+uniform sampler2D radiance;     // premultiplied, the sum of some draws
+uniform ivec2 radiance_offset;  // of the picture within it
+uniform float radiance_share;   // of one draw
 
 layout(location = 0) out vec4 color;
 
 void main() {
     vec2 pixel = picture_pixel();
-    vec4 light = texelFetch(radiance, ivec2(pixel), 0);
+    vec4 light = radiance_share * texelFetch(radiance, ivec2(pixel) + radiance_offset, 0);
     float behind = 1.0 - light.a;
     if (background_is_light()) {
         color = radiance_output(light.rgb + behind * environment_backdrop(pixel), 1.0, pixel);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Light on a surface: the same text for the deferred pass and for blended surfaces.
 // Constants: SHADING_MODEL, DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE, MULTIPLE_SCATTERING; they are
-// the enumerators of engine/render/shading.h.
+// the enumerators of engine/render/shading.h. SAMPLED_ENVIRONMENT: 1 in stills that converge.
 
 #include "passes/environment.glsl"
+#include "passes/environment_samples.glsl"
 #include "passes/lights.glsl"
 #include "shared/brdf.glsl"
 #include "shared/phong.glsl"
@@ -52,48 +53,97 @@ vec3 dielectric_part_f0(Surface s) {
     return clamp(rest / max(1.0 - s.metalness, 1e-3), 0.0, 1.0);
 }
 
-/// Adds the suns of the environment to its filtered light.
-void add_suns(inout Lit lit, Surface s, vec3 v, vec3 diffuse, vec3 dielectric, vec3 boost,
-              float level_share) {
-    float missing = suns_missing(level_share);
-    for (int i = 0; i < sun_count; ++i) {
-        vec3 towards = transpose(environment_from_world) * sun_towards[i].xyz;
-        ReflectionAngles angles = reflection_angles(s.normal, v, towards);
-        vec3 received = s.occlusion * environment_intensity * sun_irradiance[i].rgb * angles.n_dot_l;
-        float roughness = roughness_under_disc(s.roughness, sun_towards[i].w);
-        lit.diffuse_ambient +=
-            received * brdf_diffuse(AMBIENT_TERMS, angles, diffuse, dielectric, s.f90, s.roughness);
-        lit.specular_ambient +=
-            missing * received * boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
+/// What lit_pbr works with.
+struct PbrSurface {
+    vec3 diffuse;     // colour of the diffuse part
+    vec3 dielectric;  // F0 of what is not metal
+    vec3 boost;       // of the specular part, for light that is scattered several times
+    float n_dot_v;
+    EnvironmentBrdf environment;
+};
+
+/// Adds light of the environment from one direction; `received` is irradiance on a surface that
+/// faces it.
+void add_environment_light(inout Lit lit, Surface s, PbrSurface p, vec3 v, vec3 l, vec3 received,
+                           float specular_share, float roughness) {
+    ReflectionAngles angles = reflection_angles(s.normal, v, l);
+    vec3 light = s.occlusion * environment_intensity * received * angles.n_dot_l;
+    lit.diffuse_ambient += light * brdf_diffuse(AMBIENT_TERMS, angles, p.diffuse, p.dielectric,
+                                                s.f90, s.roughness);
+    lit.specular_ambient +=
+        specular_share * light * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
+}
+
+/// The filtered environment and its suns.
+void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
+    // The split sum: what is mirrored of a uniform environment, times the filtered one.
+    vec3 mirrored = (s.f0 * p.environment.scale + s.f90 * p.environment.bias) * p.boost;
+    lit.specular_ambient =
+        s.occlusion * mirrored * environment_mirrored(p.environment, s.normal, v);
+    vec3 entering = 1.0 - mix(p.dielectric, vec3(s.f90), schlick_mean(p.n_dot_v));
+    lit.diffuse_ambient = s.occlusion * p.diffuse * entering * environment_diffuse(s.normal);
+    float missing = suns_missing(p.environment.level_share);
+    for (int i = 0; i < sun_count; ++i)
+        add_environment_light(lit, s, p, v, sun_towards[i].xyz * environment_from_world,
+                              sun_irradiance[i].rgb, missing,
+                              roughness_under_disc(s.roughness, sun_towards[i].w));
+}
+
+/// One draw's share of the integral over the environment.
+void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
+    float alpha = alpha_from_roughness(s.roughness);
+    for (int i = 0; i < light_sample_count; ++i) {
+        vec3 l = light_sample_towards[i].xyz * environment_from_world;
+        ReflectionAngles angles = reflection_angles(s.normal, v, l);
+        vec3 radiance = light_sample_radiance[i].rgb;
+        float by_light = light_density(radiance);
+        float by_lobe =
+            float(LOBE_SAMPLES) * ggx_visible_density(angles.n_dot_h, angles.n_dot_v, alpha);
+        float drawn = float(light_sample_count) * light_sample_towards[i].w;
+        add_environment_light(lit, s, p, v, l, radiance * (by_light / (by_light + by_lobe) / drawn),
+                              1.0, s.roughness);
+    }
+    vec3 across = v - dot(v, s.normal) * s.normal;
+    vec3 other = abs(s.normal.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    vec3 tangent = normalize(dot(across, across) > 1e-10 ? across : cross(other, s.normal));
+    mat3 world_from_tangent = mat3(tangent, cross(s.normal, tangent), s.normal);
+    vec3 v_tangent = vec3(sqrt(max(1.0 - p.n_dot_v * p.n_dot_v, 0.0)), 0.0, p.n_dot_v);
+    for (int i = 0; i < LOBE_SAMPLES; ++i) {
+        vec2 u = lobe_point(gl_FragCoord.xy, draw_index * LOBE_SAMPLES + i);
+        vec3 h = sample_ggx_visible_half_vector(u, v_tangent, alpha);
+        vec3 l = world_from_tangent * reflect(-v_tangent, h);
+        if (dot(l, s.normal) <= 0.0) continue;
+        float density = ggx_visible_density(h.z, p.n_dot_v, alpha);
+        vec3 radiance = map_radiance(environment_from_world * l, level_for_density(density));
+        float by_either = light_density(radiance) + float(LOBE_SAMPLES) * density;
+        add_environment_light(lit, s, p, v, l, radiance / by_either, 1.0, s.roughness);
     }
 }
 
 Lit lit_pbr(Surface s, vec3 v) {
     Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 diffuse = diffuse_color(s.base_color, s.metalness);
-    vec3 dielectric = dielectric_part_f0(s);
-    float n_dot_v = clamp(dot(s.normal, v), LEAST_N_DOT_V, 1.0);
-    EnvironmentBrdf environment = environment_brdf_of(n_dot_v, s.roughness);
-    vec3 boost = MULTIPLE_SCATTERING == 1
-                     ? multiple_scattering_scale(s.f0, environment.scale + environment.bias)
-                     : vec3(1.0);
+    PbrSurface p;
+    p.diffuse = diffuse_color(s.base_color, s.metalness);
+    p.dielectric = dielectric_part_f0(s);
+    p.n_dot_v = clamp(dot(s.normal, v), LEAST_N_DOT_V, 1.0);
+    p.environment = environment_brdf_of(p.n_dot_v, s.roughness);
+    p.boost = MULTIPLE_SCATTERING == 1
+                  ? multiple_scattering_scale(s.f0, p.environment.scale + p.environment.bias)
+                  : vec3(1.0);
 
     for (int i = 0; i < light_count; ++i) {
         Incident light = incident_light(i, s.position);
         ReflectionAngles angles = reflection_angles(s.normal, v, light.direction);
         vec3 received = light.irradiance * angles.n_dot_l;
         lit.diffuse_direct +=
-            received * brdf_diffuse(TERMS, angles, diffuse, dielectric, s.f90, s.roughness);
+            received * brdf_diffuse(TERMS, angles, p.diffuse, p.dielectric, s.f90, s.roughness);
         lit.specular_direct +=
-            received * boost * brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
+            received * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
     }
-
-    // The split sum: what is mirrored of a uniform environment, times the filtered one.
-    vec3 mirrored = (s.f0 * environment.scale + s.f90 * environment.bias) * boost;
-    lit.specular_ambient = s.occlusion * mirrored * environment_mirrored(environment, s.normal, v);
-    vec3 entering = 1.0 - mix(dielectric, vec3(s.f90), schlick_mean(n_dot_v));
-    lit.diffuse_ambient = s.occlusion * diffuse * entering * environment_diffuse(s.normal);
-    add_suns(lit, s, v, diffuse, dielectric, boost, environment.level_share);
+    if (SAMPLED_ENVIRONMENT == 1)
+        add_sampled_environment(lit, s, p, v);
+    else
+        add_filtered_environment(lit, s, p, v);
     return lit;
 }
 

@@ -296,4 +296,20 @@ Real3 sample_ggx_half_vector(Real2 u, Real alpha) {
     return direction_about_z(sqrt(max(cosine2, 0.0f)), u.x);
 }
 
+/// A half vector that the eye at v (unit, z > 0) sees, for u of the unit square.
+/// J. Dupuy and A. Benyoub, "Sampling visible GGX normals with spherical caps", 2023.
+Real3 sample_ggx_visible_half_vector(Real2 u, Real3 v, Real alpha) {
+    Real3 stretched = normalize(Real3(v.x * alpha, v.y * alpha, v.z));
+    Real z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    Real3 cap = direction_about_z(clamp(z, -1.0f, 1.0f), u.x);
+    Real3 h = cap + stretched;
+    return normalize(Real3(h.x * alpha, h.y * alpha, max(h.z, 1e-6f)));
+}
+
+/// Per steradian of l, the density of mirroring v at such a half vector: G1(v) D / (4 n.v).
+/// Eric Heitz, "Sampling the GGX distribution of visible normals", 2018, equation 17.
+Real ggx_visible_density(Real n_dot_h, Real n_dot_v, Real alpha) {
+    return distribution_ggx(n_dot_h, alpha) / (2.0f * smith_ggx_divisor(n_dot_v, alpha));
+}
+
 #endif

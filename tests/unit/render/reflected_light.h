@@ -35,7 +35,13 @@ class ReflectedLight {
     struct Texel {
         glm::vec3 direction;
         glm::dvec3 power;  ///< radiance x solid angle
+        int x;
+        int y;
     };
+    /// As the sum over points within a texel, radiance between texels.
+    template <typename Reflected>
+    glm::dvec3 summed_within(const Texel& texel, const Reflected& reflected) const;
+
     const RadianceMap& map_;
     std::vector<Texel> texels_;
 };

@@ -117,7 +117,9 @@ class TruthTest : public RenderTest {
         RenderTest::SetUp();
     }
     /// The geometric mean of the error of each group.
-    std::map<std::string_view, double> errors(const Image& environment, int samples) {
+    std::map<std::string_view, double> errors(
+        const Image& environment, int samples,
+        const std::vector<ReflectingMaterial>& shown = materials()) {
         const RadianceMap map = reduced_to_width(value_of(radiance_map(environment)), kMapWidth);
         const FilteredEnvironment filtered =
             value_of(filter_environment(image_of(map), FilterQuality::Finished));
@@ -126,7 +128,7 @@ class TruthTest : public RenderTest {
         view_.camera = framed(renderer().bounds_world(), 1.0f, ViewDirection::ThreeQuarter);
         const std::vector<Pixel> pixels = chosen_pixels(view_.camera);
         std::map<std::string_view, std::vector<double>> cells;
-        for (const ReflectingMaterial& material : materials()) {
+        for (const ReflectingMaterial& material : shown) {
             const double error = error_of(light, pixels, material, samples);
             cells[group_of(material)].push_back(error);
             std::printf("  metalness %.1f roughness %.3f: %.4f\n",
@@ -221,6 +223,19 @@ INSTANTIATE_TEST_SUITE_P(Assets, TruthOfAssets,
                          testing::Values(Scenery{"chinese_garden_1k", 0.09, 0.04, 0.03, 0.02},
                                          Scenery{"noon_grass_1k", 0.06, 0.04, 0.025, 0.015}),
                          name_of);
+
+class TruthOfStills : public TruthTest {};
+
+TEST_F(TruthOfStills, ManySamplesConvergeToTheIntegral) {
+    const glm::vec3 base(0.9f, 0.6f, 0.3f);
+    const std::vector<ReflectingMaterial> shown = {
+        {base, 1.0f, 0.0f}, {base, 1.0f, 0.1667f}, {base, 1.0f, 1.0f}, {base, 0.0f, 0.5f}};
+    const Image map = value_of(builtin_environment("studio", 256));
+    const auto means = errors(map, 256, shown);
+    EXPECT_LT(means.at("mirror"), 0.015);
+    EXPECT_LT(means.at("metals"), 0.015);
+    EXPECT_LT(means.at("non-metals"), 0.015);
+}
 
 }  // namespace
 }  // namespace patina::render

@@ -323,5 +323,44 @@ TEST(Brdf, ADiscWidensAHighlightAndAPointDoesNot) {
                 1e-3f);
 }
 
+TEST(Brdf, VisibleHalfVectorsAreDrawnWithTheirStatedDensity) {
+    // The mean of f / density over what is drawn is the integral of f, here of a smooth function
+    // of l over the whole sphere of l: drawing may send light below the surface.
+    const Real3 v = formulae::normalize({0.7f, 0.0f, 0.4f});
+    for (const float alpha : {0.09f, 0.36f, 0.9f}) {
+        const auto density_of = [&](const Real3& l) {
+            const Real3 h = formulae::normalize(v + l);
+            return double{formulae::ggx_visible_density(std::max(h.z, 0.0f), v.z, alpha)};
+        };
+        const auto f = [&](const Real3& l) { return density_of(l) * (1.0 + l.x + l.z * l.z); };
+        double drawn = 0.0;
+        const formulae::uint count = 16384;
+        for (formulae::uint i = 0; i < count; ++i) {
+            const Real3 h =
+                formulae::sample_ggx_visible_half_vector(formulae::hammersley(i, count), v, alpha);
+            EXPECT_GE(formulae::dot(v, h), -1e-5f);
+            const Real3 l = h * (2.0f * formulae::dot(v, h)) - v;
+            drawn += f(l) / density_of(l) / count;
+        }
+        double integral = 0.0;
+        double total = 0.0;
+        const int steps = 1000;
+        for (int i = 0; i < steps; ++i)
+            for (int k = 0; k < steps; ++k) {
+                const double cosine = 1.0 - 2.0 * (i + 0.5) / steps;
+                const double sine = std::sqrt(1.0 - cosine * cosine);
+                const double azimuth = 2.0 * kPi * (k + 0.5) / steps;
+                const Real3 l(static_cast<float>(sine * std::cos(azimuth)),
+                              static_cast<float>(sine * std::sin(azimuth)),
+                              static_cast<float>(cosine));
+                if ((v + l).z <= 0.0f) continue;  // no half vector above the surface
+                integral += f(l) * 4.0 * kPi / steps / steps;
+                total += density_of(l) * 4.0 * kPi / steps / steps;
+            }
+        EXPECT_NEAR(total, 1.0, 0.01) << alpha;
+        EXPECT_NEAR(drawn, integral, 0.01) << alpha;
+    }
+}
+
 }  // namespace
 }  // namespace patina

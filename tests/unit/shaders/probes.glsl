@@ -225,6 +225,12 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
         return Real4(uv.x, uv.y, cube_texel_solid_angle(a.z, b.z, 8.0f),
                      cube_direction(3, a.z, b.z).y);
     }
+    if (which == 3) {
+        Real3 v = normalize(Real3(a.x - 0.5f, a.y - 0.5f, 0.1f + a.z));
+        Real alpha = alpha_from_roughness(0.2f + 0.8f * b.z);
+        Real3 h = sample_ggx_visible_half_vector(Real2(b.x, b.y), v, alpha);
+        return Real4(h, ggx_visible_density(b.w, v.z, alpha));
+    }
     Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
     SplitSumSample table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
                                             alpha_from_roughness(0.2f + 0.8f * b.y));
@@ -242,8 +248,8 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 31) return probe_patterns(which - 25, a, b);
     if (which < 35) return probe_light(which - 31, a, b);
     if (which < 42) return probe_phong(which - 35, a, b);
-    if (which < 45) return probe_environment(which - 42, a, b);
-    if (which < 47) return probe_adjust(which - 45, a);
+    if (which < 46) return probe_environment(which - 42, a, b);
+    if (which < 48) return probe_adjust(which - 46, a);
     return Real4(-1.0f);
 }
 

@@ -63,6 +63,7 @@ inline constexpr Probe kProbes[] = {
     {"equirect_direction, sh9_basis, sh9_irradiance_over_pi", 4e-6f},
     {"equirect_uv, cube_texel_solid_angle, cube_direction", 4e-6f},
     {"split_sum_sample, schlick_mean, roughness_under_disc, prefiltered_roughness", 1e-4f},
+    {"sample_ggx_visible_half_vector, ggx_visible_density", 3e-4f},
     {"curve_value, brightened, posterised", 4e-6f},
     {"hue_saturation", 8e-6f},
 };

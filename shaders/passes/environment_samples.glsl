@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Light from all around for stills that converge: some directions of the map, the same for every
+// pixel of a draw, and some of each pixel's own lobe, each weighted by how likely the other would
+// have drawn it (the balance heuristic of E. Veach, "Robust Monte Carlo methods for light transport
+// simulation", 1997). Laid out in engine/render/environment_samples.cpp.
+
+#include "shared/color.glsl"
+#include "shared/noise.glsl"
+#include "shared/environment.glsl"
+
+const int LIGHT_SAMPLES = 8;  // of a draw
+const int LOBE_SAMPLES = 2;   // of a pixel in a draw
+
+uniform sampler2D environment_map;     // radiance x map_scale, with the means of its texels as mips
+uniform float map_scale;               // keeps it within half floats
+uniform float map_texel_angle;         // steradians of a texel at the horizon
+uniform float density_per_luminance;   // of drawing a direction of the map: 1 / its integral
+uniform int light_sample_count;        // 0 for a black map
+uniform vec4 light_sample_towards[LIGHT_SAMPLES];   // of the map, unit; w: density of the drawing
+uniform vec4 light_sample_radiance[LIGHT_SAMPLES];
+uniform int draw_index;
+uniform int draw_count;
+
+/// The level of detail rises with what one sample of the lobe stands for: little noise in few
+/// draws, and the map itself in many. J. Krivanek and M. Colbert, "Real-time shading with filtered
+/// importance sampling", 2008.
+float level_for_density(float density) {
+    float solid_angle = 1.0 / (density * float(draw_count * LOBE_SAMPLES));
+    return max(0.5 * log2(solid_angle / map_texel_angle), 0.0);
+}
+
+vec3 map_radiance(vec3 direction_map, float level) {
+    return textureLod(environment_map, equirect_uv(direction_map), level).rgb / map_scale;
+}
+
+/// How densely the directions of a draw are spread by the light, near one of that radiance.
+float light_density(vec3 radiance) {
+    return float(light_sample_count) * density_per_luminance * luminance(radiance);
+}
+
+/// Point `i` of this pixel's sequence in the unit square: Roberts's R2 from a random start.
+vec2 lobe_point(vec2 pixel, int i) {
+    uvec2 cell = uvec2(pixel);
+    vec2 start = vec2(unit_from_hash(lattice_hash(int(cell.x), int(cell.y), 1u)),
+                      unit_from_hash(lattice_hash(int(cell.x), int(cell.y), 2u)));
+    return fract(start + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
+}
