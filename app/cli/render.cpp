@@ -189,7 +189,9 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     render::View& view = options.request.view;
     add_size_option(command, "--size", options.request.size.width, options.request.size.height,
                     "Size of the picture, or of each channel of the strip");
-    command.add_option("--samples", options.request.samples, "Sub-pixel samples that are averaged")
+    command
+        .add_option("--samples", options.request.samples,
+                    "Samples that are averaged; from 64 on the environment is sampled too")
         ->check(CLI::Range(1, 65536))
         ->type_name("N")
         ->capture_default_str();
