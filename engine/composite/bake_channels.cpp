@@ -68,8 +68,8 @@ class ChannelBaker {
         std::array<std::vector<float>, 3> heights;
         for (auto& row : heights) row.resize(std::size_t{kTileTexels + 2 + kMaxLanes});
         for_each_span(first, last, out_.size, [&](const TileSpan& span) {
-            for (int dy = -1; dy <= 1; ++dy)
-                read_heights(span, dy, heights[static_cast<std::size_t>(dy + 1)]);
+            for (std::size_t row = 0; row < heights.size(); ++row)
+                read_heights(span, static_cast<int>(row) - 1, heights[row]);
             for (int k = 0; k < 3; ++k)
                 std::memcpy(planes.channel(0, Channel::Normal, k), normal_at(span, k), bytes(span));
             add_relief_tile({.above = heights[0].data(),
