@@ -19,8 +19,6 @@
 namespace patina::render {
 namespace {
 
-constexpr float kLargestHalf = 65504.0f;
-
 /// What the two qualities cost.
 struct FilterSettings {
     int largest_face;
@@ -178,10 +176,8 @@ std::vector<TexelLight> texel_lights(const RadianceMap& map) {
     lights.reserve(map.texels.size());
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x)
-            lights.push_back(
-                {direction_at((static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
-                              (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height)),
-                 texel_solid_angle(map, y) * map.at(x, y), texel_solid_angle(map, y)});
+            lights.push_back({texel_direction(map, x, y), texel_solid_angle(map, y) * map.at(x, y),
+                              texel_solid_angle(map, y)});
     return lights;
 }
 
@@ -199,10 +195,6 @@ HalfCube filter_diffuse(const std::vector<TexelLight>& lights, int face_size,
     return cube;
 }
 
-float luminance(const glm::vec3& linear) {
-    return formulae::luminance({linear.x, linear.y, linear.z});
-}
-
 /// Half the angle of the cone around the brightest direction that becomes the key light.
 constexpr float kKeyConeCosine = 0.9f;  // 26 degrees
 
@@ -212,7 +204,7 @@ void split_for_traditional_models(const std::vector<TexelLight>& lights,
     const auto strength_around = [&](const glm::vec3& axis) {
         float sum = 0.0f;
         for (const TexelLight& light : lights)
-            if (glm::dot(light.direction, axis) > kKeyConeCosine) sum += luminance(light.power);
+            if (glm::dot(light.direction, axis) > kKeyConeCosine) sum += luminance_of(light.power);
         return sum;
     };
     glm::vec3 total(0.0f);
@@ -233,7 +225,7 @@ void split_for_traditional_models(const std::vector<TexelLight>& lights,
     for (const TexelLight& light : lights) {
         if (glm::dot(light.direction, axis) <= kKeyConeCosine) continue;
         key += light.power;
-        direction += luminance(light.power) * light.direction;
+        direction += luminance_of(light.power) * light.direction;
         cone_angle += light.solid_angle;
     }
     // Only what stands out of the mean is a light of its own.
@@ -274,10 +266,11 @@ Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQual
         std::make_shared<const RadianceMap>(reduced_to_width(std::move(*map), 4 * face_size));
     const RadianceMap& whole = *environment.map;
     MapWithoutSuns parted = take_out_suns(whole);
-    environment.suns = parted.suns;
+    environment.suns = std::move(parted.suns);
+    const RadianceCube cube = radiance_cube(parted.rest, face_size);
     environment.specular =
-        filter_specular(std::move(radiance_cube(whole, face_size).front()),
-                        radiance_cube(parted.rest, face_size), settings, progress);
+        filter_specular(environment.suns.empty() ? cube.front() : cube_level(whole, face_size),
+                        cube, settings, progress);
     environment.diffuse = filter_diffuse(
         texel_lights(reduced_to_width(std::move(parted.rest), settings.diffuse_map_width)),
         settings.diffuse_face, progress);

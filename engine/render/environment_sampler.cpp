@@ -6,14 +6,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "core/formulae/formulae.h"
-
 namespace patina::render {
 namespace {
-
-float luminance_of(const glm::vec3& linear) {
-    return formulae::luminance({linear.x, linear.y, linear.z});
-}
 
 /// Turns amounts into the share that lies before the end of each; returns their sum.
 double accumulate_shares(const std::vector<double>& amounts, float* shares) {

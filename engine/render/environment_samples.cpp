@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kMapUnit = 11;
 constexpr std::uint32_t kLightSamples = 8;  ///< LIGHT_SAMPLES of the shader
-constexpr float kLargestHalf = 65504.0f;
 
 /// What brings the brightest texel into half floats.
 float scale_of(const RadianceMap& map) {

@@ -6,8 +6,6 @@
 #include <glm/gtc/constants.hpp>
 #include <numeric>
 
-#include "core/formulae/formulae.h"
-
 namespace patina::render {
 namespace {
 
@@ -17,10 +15,6 @@ constexpr float kWidestRadians = 0.15f;  ///< of a sun's radius; soft boxes are 
 
 using Region = std::vector<std::size_t>;  ///< indices of texels
 
-float luminance_of(const glm::vec3& linear) {
-    return formulae::luminance({linear.x, linear.y, linear.z});
-}
-
 /// The luminance that half of the sphere is darker than.
 float median_luminance(const RadianceMap& map) {
     std::vector<std::pair<float, float>> texels;  // luminance, solid angle
@@ -28,13 +22,24 @@ float median_luminance(const RadianceMap& map) {
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x)
             texels.emplace_back(luminance_of(map.at(x, y)), texel_solid_angle(map, y));
-    std::sort(texels.begin(), texels.end());
-    float angle = 0.0f;
-    for (const auto& [luminance, solid_angle] : texels) {
-        angle += solid_angle;
-        if (angle >= glm::two_pi<float>()) return luminance;
+    // Halves the range that holds it: in order as a whole it would take longer than the filtering.
+    auto low = texels.begin();
+    auto high = texels.end();
+    double below = 0.0;  // steradians of what is before `low`
+    while (high - low > 1) {
+        const auto middle = low + (high - low) / 2;
+        std::nth_element(low, middle, high);
+        const double part = std::accumulate(low, middle, 0.0, [](double sum, const auto& texel) {
+            return sum + double{texel.second};
+        });
+        if (below + part >= glm::two_pi<double>()) {
+            high = middle;
+        } else {
+            below += part;
+            low = middle;
+        }
     }
-    return 0.0f;
+    return low->first;
 }
 
 /// Calls `visit(x, y)` for the eight texels around one; the map goes round.
@@ -121,9 +126,7 @@ Candidate candidate_of(const RadianceMap& map, Region region) {
         const double share = luminance_of(glm::vec3(part));
         power += part;
         weight += share;
-        direction += share * glm::dvec3(direction_at(
-                                 (static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
-                                 (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height)));
+        direction += share * glm::dvec3(texel_direction(map, x, y));
     }
     const double length = glm::length(direction);
     candidate.sun.irradiance_linear = power;

@@ -48,22 +48,41 @@ glm::vec4 read_texel(const gl::Framebuffer& framebuffer, glm::ivec2 pixel) {
     return {texel[0], texel[1], texel[2], texel[3]};
 }
 
+/// What the channels of one pixel are read from, and the row that they are drawn into.
+struct ProbeTargets {
+    FrameCamera camera;
+    const gl::Framebuffer* gbuffer;
+    const gl::Framebuffer* values;
+};
+
+/// Draws the G-buffer of the last view at that pixel.
+Result<ProbeTargets> probe_targets(RendererState& state, const Place& place) {
+    const FrameCamera camera = frame_camera(state.last_view, state.scene->bounds_world,
+                                            place.gbuffer_size, glm::vec2(0.0f));
+    const Result<gl::Framebuffer*> gbuffer = draw_gbuffer(
+        state, state.gbuffer, state.last_view, camera, SurfaceSet::All, one_pixel(place));
+    if (!gbuffer) return passed_on(gbuffer);
+    const Result<gl::Framebuffer*> values = state.probe_values.at({kChannelViewCount, 1});
+    if (!values) return passed_on(values);
+    return ProbeTargets{camera, *gbuffer, *values};
+}
+
 /// Draws what a channel holds at the pixel into texel `channel` of the probe's row.
 Status draw_probe_channel(RendererState& state, const View& view, const Place& place,
-                          const FrameCamera& camera, const gl::Framebuffer& gbuffer,
-                          const gl::Framebuffer& values) {
-    LightingInputs inputs{.gbuffer = &gbuffer};
+                          const ProbeTargets& targets) {
+    LightingInputs inputs{.gbuffer = targets.gbuffer};
     if (const std::optional<Inspected> inspected = inspected_for(view.channel)) {
         const Result<gl::Framebuffer*> drawn =
-            draw_inspection(state, view, camera, *inspected, one_pixel(place));
+            draw_inspection(state, view, targets.camera, *inspected, one_pixel(place));
         if (!drawn) return passed_on(drawn);
         inputs = {.inspection = *drawn};
     }
     const Shading& shading = place.side == FrameSide::Right ? view.right : view.left;
-    const PictureTarget texel{.framebuffer = &values,
+    const PictureTarget texel{.framebuffer = targets.values,
                               .area = {{static_cast<int>(view.channel), 0}, {1, 1}},
                               .output = OutputMode::Radiance};
-    return draw_lighting(state, {view, shading, place.side}, camera, inputs, texel, place.pixel);
+    return draw_lighting(state, {view, shading, place.side}, targets.camera, inputs, texel,
+                         place.pixel);
 }
 
 }  // namespace
@@ -87,24 +106,18 @@ Result<std::optional<Probe>> Renderer::probe(Pixel pixel) {
     const std::optional<Pick> picked = pick(pixel);
     if (!picked) return std::optional<Probe>();
     const Place place = *place_of(*state_, pixel);
+    const Result<ProbeTargets> targets = probe_targets(*state_, place);
+    if (!targets) return passed_on(targets);
     View view = state_->last_view;
-    const FrameCamera camera =
-        frame_camera(view, state_->scene->bounds_world, place.gbuffer_size, glm::vec2(0.0f));
-    const Result<gl::Framebuffer*> gbuffer =
-        draw_gbuffer(*state_, state_->gbuffer, view, camera, SurfaceSet::All, one_pixel(place));
-    if (!gbuffer) return passed_on(gbuffer);
-    const Result<gl::Framebuffer*> values = state_->probe_values.at({kChannelViewCount, 1});
-    if (!values) return passed_on(values);
     for (const ChannelViewInfo& channel : kChannelViews) {
         view.channel = channel.view;
-        if (Status done = draw_probe_channel(*state_, view, place, camera, **gbuffer, **values);
-            !done)
+        if (Status done = draw_probe_channel(*state_, view, place, *targets); !done)
             return passed_on(done);
     }
     Probe probe{.instance = picked->instance,
                 .primitive = picked->primitive,
                 .source_material = picked->source_material};
-    const std::vector<float> row = (*values)->read_color(0, {0, 0}, {kChannelViewCount, 1});
+    const std::vector<float> row = targets->values->read_color(0, {0, 0}, {kChannelViewCount, 1});
     for (std::size_t i = 0; i < probe.values.size(); ++i)
         probe.values[i] = {row[4 * i], row[4 * i + 1], row[4 * i + 2]};
     probe.uv = glm::vec2(probe[ChannelView::Uv0]);
@@ -115,23 +128,17 @@ Result<std::optional<SideValues>> Renderer::probe_sides(Pixel pixel) {
     if (Status ready = require_content(*state_); !ready) return passed_on(ready);
     if (!pick(pixel)) return std::optional<SideValues>();
     Place place = *place_of(*state_, pixel);
+    const Result<ProbeTargets> targets = probe_targets(*state_, place);
+    if (!targets) return passed_on(targets);
     View view = state_->last_view;
     view.channel = ChannelView::Final;
-    const FrameCamera camera =
-        frame_camera(view, state_->scene->bounds_world, place.gbuffer_size, glm::vec2(0.0f));
-    const Result<gl::Framebuffer*> gbuffer =
-        draw_gbuffer(*state_, state_->gbuffer, view, camera, SurfaceSet::All, one_pixel(place));
-    if (!gbuffer) return passed_on(gbuffer);
-    const Result<gl::Framebuffer*> values = state_->probe_values.at({kChannelViewCount, 1});
-    if (!values) return passed_on(values);
     std::array<glm::vec3, 2> found;
     for (const FrameSide side : {FrameSide::Left, FrameSide::Right}) {
         place.side = side;
-        if (Status done = draw_probe_channel(*state_, view, place, camera, **gbuffer, **values);
-            !done)
+        if (Status done = draw_probe_channel(*state_, view, place, *targets); !done)
             return passed_on(done);
         found[side == FrameSide::Right ? 1 : 0] =
-            glm::vec3(read_texel(**values, {static_cast<int>(ChannelView::Final), 0}));
+            glm::vec3(read_texel(*targets->values, {static_cast<int>(ChannelView::Final), 0}));
     }
     return std::optional(SideValues{found[0], found[1]});
 }

@@ -66,30 +66,6 @@ void fill_border(CubeLevel& level) {
             }
 }
 
-/// The mean of 2 x 2 points inside each texel.
-CubeLevel resampled(const RadianceMap& map, int side) {
-    CubeLevel level = empty_level(side);
-    parallel_for(0, std::int64_t{kCubeFaces} * side, 8, [&](std::int64_t first, std::int64_t last) {
-        for (std::int64_t row = first; row < last; ++row) {
-            const int face = int(row / side);
-            const int y = int(row % side);
-            for (int x = 0; x < side; ++x) {
-                glm::vec3 sum(0.0f);
-                for (int point = 0; point < 4; ++point) {
-                    const int sub_x = 2 * x + (point & 1);
-                    const int sub_y = 2 * y + (point >> 1);
-                    sum += radiance_from(
-                        map, glm::normalize(cube_direction(face, face_coordinate(sub_x, 2 * side),
-                                                           face_coordinate(sub_y, 2 * side))));
-                }
-                level.texels[level.index(face, x, y)] = glm::vec4(0.25f * sum, 0.0f);
-            }
-        }
-    });
-    fill_border(level);
-    return level;
-}
-
 CubeLevel halved(const CubeLevel& fine) {
     CubeLevel coarse = empty_level(fine.side / 2);
     for (int face = 0; face < kCubeFaces; ++face)
@@ -121,9 +97,32 @@ float cube_texel_solid_angle(int side, int x, int y) {
                                             static_cast<float>(side));
 }
 
+CubeLevel cube_level(const RadianceMap& map, int side) {
+    CubeLevel level = empty_level(side);
+    parallel_for(0, std::int64_t{kCubeFaces} * side, 8, [&](std::int64_t first, std::int64_t last) {
+        for (std::int64_t row = first; row < last; ++row) {
+            const int face = int(row / side);
+            const int y = int(row % side);
+            for (int x = 0; x < side; ++x) {
+                glm::vec3 sum(0.0f);  // of 2 x 2 points inside the texel
+                for (int point = 0; point < 4; ++point) {
+                    const int sub_x = 2 * x + (point & 1);
+                    const int sub_y = 2 * y + (point >> 1);
+                    sum += radiance_from(
+                        map, glm::normalize(cube_direction(face, face_coordinate(sub_x, 2 * side),
+                                                           face_coordinate(sub_y, 2 * side))));
+                }
+                level.texels[level.index(face, x, y)] = glm::vec4(0.25f * sum, 0.0f);
+            }
+        }
+    });
+    fill_border(level);
+    return level;
+}
+
 RadianceCube radiance_cube(const RadianceMap& map, int side) {
     RadianceCube cube;
-    cube.push_back(resampled(map, side));
+    cube.push_back(cube_level(map, side));
     while (cube.back().side > 1) cube.push_back(halved(cube.back()));
     return cube;
 }

@@ -35,7 +35,9 @@ glm::vec3 cube_texel_direction(int face, int side, int x, int y);
 /// Steradians of a texel.
 float cube_texel_solid_angle(int side, int x, int y);
 
-/// Resamples a map to faces of `side` (a power of two) and makes all mips.
+/// A map resampled to faces of `side`.
+CubeLevel cube_level(const RadianceMap& map, int side);
+/// The same for a power of two, with all mips.
 RadianceCube radiance_cube(const RadianceMap& map, int side);
 
 /// Bilinear, from one level; the direction need not be unit.

@@ -101,6 +101,15 @@ glm::vec3 direction_at(float u, float v) {
     return {direction.x, direction.y, direction.z};
 }
 
+glm::vec3 texel_direction(const RadianceMap& map, int x, int y) {
+    return direction_at((static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
+                        (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height));
+}
+
+float luminance_of(const glm::vec3& linear) {
+    return formulae::luminance({linear.x, linear.y, linear.z});
+}
+
 glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_world) {
     const auto [u, v] = formulae::equirect_uv(
         {direction_world.x, std::clamp(direction_world.y, -1.0f, 1.0f), direction_world.z});

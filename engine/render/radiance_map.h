@@ -34,9 +34,17 @@ RadianceMap reduced_to_width(RadianceMap map, int width);
 
 /// The direction of a point of the map, u and v in 0..1.
 glm::vec3 direction_at(float u, float v);
+/// The direction of the middle of a texel, unit.
+glm::vec3 texel_direction(const RadianceMap& map, int x, int y);
 /// Radiance from a unit direction, bilinear between texels.
 glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_world);
 /// Steradians that a texel of row `y` covers.
 float texel_solid_angle(const RadianceMap& map, int y);
+
+/// Of linear Rec. 709; formulae::luminance of a vector.
+float luminance_of(const glm::vec3& linear);
+
+/// The brightest that a half float holds.
+inline constexpr float kLargestHalf = 65504.0f;
 
 }  // namespace patina::render

@@ -16,9 +16,7 @@ RadianceMap sky_with_disc(const glm::vec3& towards, float radius_radians, float 
     RadianceMap map{kWidth, kWidth / 2, {}};
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {
-            const glm::vec3 direction =
-                direction_at((static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
-                             (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height));
+            const glm::vec3 direction = texel_direction(map, x, y);
             const bool inside = glm::dot(direction, towards) > std::cos(radius_radians);
             map.texels.push_back(inside ? glm::vec3(radiance, radiance, 0.5f * radiance)
                                         : glm::vec3(0.5f));

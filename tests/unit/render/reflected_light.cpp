@@ -42,9 +42,7 @@ ReflectedLight::ReflectedLight(const RadianceMap& map) : map_(map) {
         for (int x = 0; x < map.width; ++x) {
             const double solid_angle = texel_solid_angle(map, y);
             texels_.push_back(
-                {direction_at((static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
-                              (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height)),
-                 solid_angle * glm::dvec3(map.at(x, y)), x, y});
+                {texel_direction(map, x, y), solid_angle * glm::dvec3(map.at(x, y)), x, y});
         }
 }
 
