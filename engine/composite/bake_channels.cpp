@@ -12,7 +12,6 @@
 namespace patina {
 namespace {
 
-constexpr int kLargestSide = 16384;
 constexpr int kRowsPerTask = 16;
 
 std::size_t row_start(int y, int size) {
@@ -138,17 +137,13 @@ bool varies(const Program& program, Channel channel) {
 
 Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& images, int size,
                                     const std::vector<Channel>& wanted, const Progress& progress) {
-    if (size < 1 || size > kLargestSide)
-        return failure("maps of {} texels a side cannot be baked: 1 to {} can", size, kLargestSide);
     ChannelBits channels = 0;
     for (const Channel channel : wanted) channels |= channel_bit(channel);
     const bool relief = (channels & channel_bit(Channel::Normal)) != 0 &&
                         (program.data().touched & channel_bit(Channel::Height)) != 0;
     if (relief) channels |= channel_bit(Channel::Height);
-    ReducedImages reduced;
-    const BoundImages bound =
-        bind_images(program.data(), channels, size, images, MissingImages::Wait, reduced);
-    if (!bound.failures.empty()) return failure("{}", bound.failures.front());
+    const Result<BoundImages> bound = images_for_bake(program.data(), channels, size, images);
+    if (!bound) return passed_on(bound);
 
     ChannelPlanes out;
     out.size = size;
@@ -157,7 +152,7 @@ Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& image
             for (int k = 0; k < component_count(entry.channel); ++k)
                 out.planes[static_cast<std::size_t>(entry.channel)][static_cast<std::size_t>(k)]
                     .resize(row_start(size, size));
-    ChannelBaker baker(program.data(), bound, channels, out);
+    ChannelBaker baker(program.data(), *bound, channels, out);
     const auto over_rows = [&](auto step) {
         parallel_for(0, size, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
             if (!progress.cancelled()) step(first, last);

@@ -4,11 +4,6 @@
 #include "composite/composite_rect.h"
 
 namespace patina {
-namespace {
-
-constexpr int kLargestSide = 16384;
-
-}  // namespace
 
 std::vector<BakedMap> maps_of(const Program& program) {
     std::array<bool, kBakedMapCount> read = {};
@@ -23,17 +18,13 @@ std::vector<BakedMap> maps_of(const Program& program) {
 
 Result<MapSet> bake_maps(const Program& program, ImageProvider& images, int size,
                          const std::vector<BakedMap>& wanted, const Progress& progress) {
-    if (size < 1 || size > kLargestSide)
-        return failure("maps of {} texels a side cannot be baked: 1 to {} can", size, kLargestSide);
     ChannelBits channels = 0;
     for (const BakedMap map : wanted) channels |= channels_of(map);
-    ReducedImages reduced;
-    const BoundImages bound =
-        bind_images(program.data(), channels, size, images, MissingImages::Wait, reduced);
-    if (!bound.failures.empty()) return failure("{}", bound.failures.front());
+    const Result<BoundImages> bound = images_for_bake(program.data(), channels, size, images);
+    if (!bound) return passed_on(bound);
 
     CompositeJob job{
-        .program = &program.data(), .images = &bound, .size = size, .rect = {0, 0, size, size}};
+        .program = &program.data(), .images = &*bound, .size = size, .rect = {0, 0, size, size}};
     MapSet result{.size = size};
     for (const BakedMap map : wanted) {
         auto image = std::make_shared<Image>(Image{.width = size, .height = size, .channels = 4});

@@ -103,4 +103,15 @@ BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size
     return bound;
 }
 
+Result<BoundImages> images_for_bake(const ProgramData& program, ChannelBits wanted, int size,
+                                    ImageProvider& images) {
+    constexpr int kLargestSide = 16384;
+    if (size < 1 || size > kLargestSide)
+        return failure("maps of {} texels a side cannot be baked: 1 to {} can", size, kLargestSide);
+    ReducedImages reduced;
+    BoundImages bound = bind_images(program, wanted, size, images, MissingImages::Wait, reduced);
+    if (!bound.failures.empty()) return failure("{}", bound.failures.front());
+    return bound;
+}
+
 }  // namespace patina

@@ -32,4 +32,9 @@ enum class MissingImages { Wait, ShowPlaceholder };
 BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size,
                         ImageProvider& images, MissingImages missing, ReducedImages& reduced);
 
+/// The same for a bake, which waits for the images. A `size` that is not 1 to 16384 and an image
+/// that cannot be decoded are failures.
+Result<BoundImages> images_for_bake(const ProgramData& program, ChannelBits wanted, int size,
+                                    ImageProvider& images);
+
 }  // namespace patina
