@@ -5,6 +5,7 @@
 
 #include "document/edits.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/levels_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/form.h"
 #include "editor/widgets/ramp_field.h"
@@ -41,26 +42,11 @@ struct Editing {
 };
 
 void draw_levels(Editing& editing) {
-    struct Field {
-        Parameter parameter;
-        float Levels::*member;
-    };
-    constexpr std::array<Field, 5> kFields = {{{Parameter::LevelsInLow, &Levels::in_low},
-                                               {Parameter::LevelsInHigh, &Levels::in_high},
-                                               {Parameter::LevelsGamma, &Levels::gamma},
-                                               {Parameter::LevelsOutLow, &Levels::out_low},
-                                               {Parameter::LevelsOutHigh, &Levels::out_high}}};
-    std::array<Rect, 2> boxes;
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
-        if (i % 2 == 0) boxes = side_by_side<2>(editing.ui, next_line(editing.ui, editing.rest));
-        const float now = editing.now.levels.*kFields[i].member;
-        const auto next = number_field(editing.ui, boxes[i % 2], number_spec(kFields[i].parameter),
-                                       static_cast<double>(now));
-        if (!next) continue;
-        AdjustmentSettings changed = editing.now;
-        changed.levels.*kFields[i].member = static_cast<float>(*next);
-        editing.change(changed, kFields[i].parameter);
-    }
+    const auto change = levels_fields(editing.ui, editing.rest, editing.now.levels);
+    if (!change) return;
+    AdjustmentSettings changed = editing.now;
+    changed.levels = change->levels;
+    editing.change(changed, change->parameter);
 }
 
 /// One line for each point: input, output, and a button that removes it.

@@ -8,6 +8,7 @@
 #include "editor/panels/adjustment_editor.h"
 #include "editor/panels/blend_combo.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/levels_fields.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/source_editor.h"
 #include "editor/widgets/buttons.h"
@@ -268,26 +269,9 @@ std::string kind_of(const Source& source) {
 
 Requests draw_levels(Ui& ui, Rect& rest, const Subject& subject, const MaskEntry& entry) {
     Requests requests;
-    struct Field {
-        Parameter parameter;
-        float Levels::*member;
-    };
-    constexpr std::array<Field, 5> kFields = {{{Parameter::LevelsInLow, &Levels::in_low},
-                                               {Parameter::LevelsInHigh, &Levels::in_high},
-                                               {Parameter::LevelsGamma, &Levels::gamma},
-                                               {Parameter::LevelsOutLow, &Levels::out_low},
-                                               {Parameter::LevelsOutHigh, &Levels::out_high}}};
-    std::array<Rect, 2> boxes;
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
-        if (i % 2 == 0) boxes = side_by_side<2>(ui, next_line(ui, rest));
-        const float now = entry.levels.*kFields[i].member;
-        const auto next = number_field(ui, boxes[i % 2], number_spec(kFields[i].parameter),
-                                       static_cast<double>(now));
-        if (!next) continue;
-        Levels levels = entry.levels;
-        levels.*kFields[i].member = static_cast<float>(*next);
-        requests.edit(set_mask_entry_levels(subject.material, subject.layer, entry, levels));
-    }
+    if (const auto change = levels_fields(ui, rest, entry.levels))
+        requests.edit(
+            set_mask_entry_levels(subject.material, subject.layer, entry, change->levels));
     return requests;
 }
 
