@@ -63,12 +63,8 @@ void print(const BakeReport& baked) {
 }
 
 Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
-    auto loaded = opened_document(options.input, progress);
+    auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
-    if (const Status applied =
-            apply_changes(*loaded, options.changes, options.work.quiet, progress);
-        !applied)
-        return passed_on(applied);
     const auto saved = io::save_document(*loaded->document, *loaded->images, options.output,
                                          options.save, progress);
     if (!saved) return passed_on(saved);

@@ -120,6 +120,8 @@ void add_change_options(CLI::App& app, Changes& changes) {
         ->type_name("MATERIAL/LAYER/PARAMETER=VALUE");
 }
 
+namespace {
+
 Status apply_changes(io::LoadedDocument& loaded, const Changes& changes, bool quiet,
                      const Progress& progress) {
     for (const LayRequest& request : changes.textures)
@@ -138,6 +140,18 @@ Status apply_changes(io::LoadedDocument& loaded, const Changes& changes, bool qu
         apply(loaded, std::move(*edited));
     }
     return {};
+}
+
+}  // namespace
+
+Result<io::LoadedDocument> changed_document(const std::filesystem::path& path,
+                                            const Changes& changes, bool quiet,
+                                            const Progress& progress) {
+    auto loaded = opened_document(path, progress);
+    if (!loaded) return passed_on(loaded);
+    if (const Status applied = apply_changes(*loaded, changes, quiet, progress); !applied)
+        return passed_on(applied);
+    return loaded;
 }
 
 }  // namespace patina::cli

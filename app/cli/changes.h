@@ -28,8 +28,10 @@ struct Changes {
 /// times.
 void add_change_options(CLI::App& app, Changes& changes);
 
+/// Opens a file and lays the changes on.
 /// @param quiet  the guesses of --textures are not printed (they go to the standard error stream)
-Status apply_changes(io::LoadedDocument& loaded, const Changes& changes, bool quiet,
-                     const Progress& progress = {});
+Result<io::LoadedDocument> changed_document(const std::filesystem::path& path,
+                                            const Changes& changes, bool quiet,
+                                            const Progress& progress);
 
 }  // namespace patina::cli

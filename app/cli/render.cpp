@@ -126,12 +126,8 @@ void set_camera(const RenderOptions& options, const Document& document,
 }
 
 Result<render::RenderedImage> rendered(const RenderOptions& options, const Progress& progress) {
-    auto loaded = opened_document(options.input, progress);
+    auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
-    if (const Status applied =
-            apply_changes(*loaded, options.changes, options.work.quiet, progress);
-        !applied)
-        return passed_on(applied);
     render::OffscreenRequest request = options.request;
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
     if (const Status lit = set_environment(options, *loaded, request); !lit) return passed_on(lit);
