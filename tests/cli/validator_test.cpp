@@ -3,30 +3,24 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.h"
+#include "support/gltf_validator.h"
 
 namespace patina::cli_tests {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kModules = fs::path(PATINA_SOURCE_DIR) / "build/node/node_modules";
 const fs::path kModels = fs::path(PATINA_SOURCE_DIR) / "../shared/assets/models";
 
 class Validator : public ProgramTest {
   protected:
     void SetUp() override {
-        if (!fs::is_directory(kModules / "gltf-validator"))
+        if (!tests::has_gltf_validator())
             GTEST_SKIP() << "gltf-validator is not installed in build/node; ./test does that";
     }
 
-    /// The errors in a file: a code and a JSON pointer each.
     static std::vector<std::string> errors_in(const std::string& file) {
-        const std::string script = PATINA_SOURCE_DIR "/tests/cli/validate.cjs";
-        const Outcome outcome = run_executable("node", {script, kModules.string(), file});
-        EXPECT_TRUE(succeeded(outcome));
-        const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
-        return json.is_object() ? json[file].get<std::vector<std::string>>()
-                                : std::vector<std::string>{"the validator gave no report"};
+        return tests::gltf_errors_in({file})[file];
     }
 };
 

@@ -4,52 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <set>
 
 #include "document/material_edits.h"
 #include "io/json_splice.h"
 #include "io/save_fixture.h"
+#include "support/gltf_validator.h"
 
 namespace patina::io {
 namespace {
 
-const fs::path kModules = fs::path(PATINA_SOURCE_DIR) / "build" / "node" / "node_modules";
-
-using Codes = std::set<std::string>;
-
-/// The codes of the errors that the validator finds in each file.
-std::map<fs::path, Codes> errors_in(const std::vector<fs::path>& files) {
-    const auto script = fs::path(PATINA_SOURCE_DIR) / "tests" / "cli" / "validate.cjs";
-    std::string command = fmt::format("node '{}' '{}'", script.string(), kModules.string());
-    for (const fs::path& file : files) command += fmt::format(" '{}'", file.string());
-    std::FILE* const pipe = ::popen(command.c_str(), "r");
-    std::string out;
-    std::array<char, 4096> buffer = {};
-    while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))
-        out.append(buffer.data(), got);
-    EXPECT_EQ(::pclose(pipe), 0) << command;
-    std::map<fs::path, Codes> errors;
-    const Json report = Json::parse(out, nullptr, false);
-    EXPECT_EQ(report.size(), files.size()) << "the validator said: " << out;
-    for (const auto& [file, found] : report.items())
-        for (const auto& error : found) {
-            // "CODE /json/pointer"
-            const auto text = error.get<std::string>();
-            errors[file].insert(text.substr(0, text.find(' ')));
-        }
-    return errors;
-}
-
 class Validator : public Save {
   protected:
     void SetUp() override {
-        if (!fs::exists(kModules / "gltf-validator"))
-            GTEST_SKIP() << "gltf-validator is not installed; ./test does it";
-        if (std::system("node --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no node";
+        if (!tests::has_gltf_validator())
+            GTEST_SKIP() << "gltf-validator or node is not installed; ./test installs both";
     }
 };
 
@@ -119,10 +89,12 @@ TEST_F(Validator, FindsNoErrorInAnOutputThatItDoesNotFindInTheInput) {
                 saved(edited, *document.images, files.back());
             }
     }
-    auto errors = errors_in(files);
+    std::map<fs::path, std::set<std::string>> codes;
+    for (const auto& [file, errors] : tests::gltf_errors_in(files))
+        for (const std::string& error : errors) codes[file].insert(tests::gltf_error_code(error));
     for (const auto& [output, input] : input_of)
-        for (const std::string& code : errors[output])
-            EXPECT_TRUE(errors[input].contains(code)) << output << ": " << code;
+        for (const std::string& code : codes[output])
+            EXPECT_TRUE(codes[input].contains(code)) << output << ": " << code;
 }
 
 }  // namespace
