@@ -52,7 +52,7 @@ vec3 environment_backdrop(vec2 pixel) {
     vec3 direction = ray_through(pixel).direction;
     return BACKGROUND_KIND == BACKGROUND_ENVIRONMENT
                ? environment_radiance(direction, 0.0)
-               : environment_radiance(direction, BLURRED_ROUGHNESS);
+               : environment_blurred(direction, BLURRED_ROUGHNESS);
 }
 
 bool background_is_light() {

@@ -276,5 +276,40 @@ TEST_F(ShadingTest, NothingIsInfiniteOrNotANumberAtTheEndsOfEveryRange) {
             }
 }
 
+/// What the filtered levels hold for a direction: the map under GGX's lobe for n = v = r.
+glm::dvec3 blurred(const RadianceMap& map, const glm::vec3& direction, float roughness) {
+    const float alpha = formulae::alpha_from_roughness(roughness);
+    glm::dvec3 sum(0.0);
+    double total = 0.0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const float n_dot_l = glm::dot(texel_direction(map, x, y), direction);
+            if (n_dot_l <= 0.0f) continue;
+            const float n_dot_h = std::sqrt(0.5f + 0.5f * n_dot_l);
+            const double weight = double{formulae::distribution_ggx(n_dot_h, alpha)} * n_dot_l *
+                                  texel_solid_angle(map, y);
+            sum += weight * glm::dvec3(map.at(x, y));
+            total += weight;
+        }
+    return sum / total;
+}
+
+TEST_F(ShadingTest, TheBlurredBackgroundShowsItsSun) {
+    const Image sky = value_of(builtin_environment("sky", 128));
+    const FilteredEnvironment filtered = value_of(filter_environment(sky, FilterQuality::Finished));
+    ASSERT_EQ(filtered.suns.size(), 1u);
+    ASSERT_TRUE(renderer().set_environment(filtered));
+    view_.background.kind = Background::Kind::BlurredEnvironment;
+    // The model is ahead, and below the middle of the picture.
+    const glm::vec3 towards = filtered.suns.front().towards_world;
+    view_.camera.position = glm::vec3(0.0f, 1.5f, 0.0f) - 5.0f * towards;
+    view_.camera.target = view_.camera.position + towards;
+    const Image picture = channel(ChannelView::Final);
+    const RadianceMap map = value_of(radiance_map(sky));
+    const auto seen = glm::dvec3(pixel_of(picture, kSize.width / 2, kSize.height / 2));
+    const glm::dvec3 expected = blurred(map, towards, 0.35f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected[c], 1.0, 0.15) << c;
+}
+
 }  // namespace
 }  // namespace patina::render
