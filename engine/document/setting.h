@@ -8,8 +8,8 @@
 ///   Body/Rust/mode=multiply
 ///   Body/Rust/roughness/opacity=0.5          of a channel
 ///   Body/Rust/opacity/source=0.5             of the channel "opacity"
-///   Body/Rust/base-color=#8a3b12             its value: a number, [r, g, b] in linear light or
-///   sRGB Body/Rust/roughness/scale=24             of its source (roughness/source/scale)
+///   Body/Rust/base-color=#8a3b12             its value: sRGB, [r, g, b] in linear light, a number
+///   Body/Rust/roughness/scale=24             of its source (roughness/source/scale)
 ///   Body/Rust/mask/base=0                    of the mask
 ///   Body/Rust/mask/Edges/levels/gamma=2      of the mask's entry "Edges"
 ///   Body/resolution=1024                     the material's own

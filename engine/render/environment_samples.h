@@ -26,6 +26,7 @@ struct SampledEnvironment {
     gl::Sampler reading;
     float scale = 1.0f;  ///< of what `map` holds to radiance
 };
+/// Uploads the map with its mips in half floats, scaled to fit. Fails when the driver refuses it.
 Result<SampledEnvironment> upload_sampled_environment(std::shared_ptr<const RadianceMap> map);
 
 /// Takes texture unit 11. Index of the draw decides which directions are drawn.
