@@ -22,6 +22,11 @@ void paint_box(const Ui& ui, const Rect& rect, bool on, bool hovered) {
     }
 }
 
+const ImFont* font_of(const Ui& ui, const TextButton& button) {
+    if (button.main) return ui.fonts.title13;
+    return button.link ? ui.fonts.medium13 : ui.fonts.body13;
+}
+
 }  // namespace
 
 bool icon_button(Ui& ui, const Rect& rect, const IconButton& button) {
@@ -47,8 +52,7 @@ bool icon_button(Ui& ui, const Rect& rect, const IconButton& button) {
 }
 
 float text_button_width(const Ui& ui, const TextButton& button) {
-    const ImFont* font = button.main ? ui.fonts.title13 : ui.fonts.body13;
-    const float words = text_width(font, button.label);
+    const float words = text_width(font_of(ui, button), button.label);
     return std::ceil(words) + ui.px(button.link ? 16 : 24) +
            (button.icon != nullptr ? ui.px(22) : 0);
 }
@@ -63,14 +67,11 @@ bool text_button(Ui& ui, const Rect& rect, const TextButton& button) {
                                  .enabled = button.enabled,
                                  .tip = says_more ? &tip : nullptr});
     ImU32 ink = theme::kText;
-    const ImFont* font = ui.fonts.body13;
     if (button.main) {
         fill(ui, rect, pressed.hovered ? theme::kAccentHigh : theme::kAccent, 4);
         ink = theme::kInk;
-        font = ui.fonts.title13;
     } else if (button.link) {
         ink = pressed.hovered ? theme::kText : theme::kAccentHigh;
-        font = ui.fonts.medium13;
     } else {
         fill(ui, rect, button_color(pressed), 4);
     }
@@ -80,7 +81,7 @@ bool text_button(Ui& ui, const Rect& rect, const TextButton& button) {
                    button.main ? theme::kInk : theme::kText2, 14);
         inner.cut_left(ui.px(6));
     }
-    text(ui, inner, font, ink, button.label);
+    text(ui, inner, font_of(ui, button), ink, button.label);
     return pressed.clicked;
 }
 
