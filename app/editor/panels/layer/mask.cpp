@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+
+#include "document/edits.h"
+#include "editor/panels/choice_combo.h"
+#include "editor/panels/layer/parts.h"
+#include "editor/panels/levels_fields.h"
+#include "editor/panels/source_editor.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/popup_menu.h"
+#include "editor/widgets/slider.h"
+
+namespace patina::editor {
+namespace {
+
+std::string kind_of(const Source& source) {
+    if (std::holds_alternative<ImageSource>(source)) return "Image";
+    return std::holds_alternative<ProceduralSource>(source) ? "Procedural" : "Value";
+}
+
+Requests draw_levels(Ui& ui, Rect& rest, const LayerSubject& subject, const MaskEntry& entry) {
+    Requests requests;
+    if (const auto change = levels_fields(ui, rest, entry.levels))
+        requests.edit(
+            set_mask_entry_levels(subject.material, subject.layer, entry, change->levels));
+    return requests;
+}
+
+Requests draw_entry_menu(Ui& ui, const LayerSubject& subject, const MaskEntry& entry, int index) {
+    Requests requests;
+    PopupMenu menu(ui, "entry menu", 170);
+    if (!menu.open()) return requests;
+    const Material& material = subject.material;
+    const Layer& layer = subject.layer;
+    const int last = static_cast<int>(layer.mask.entries.size()) - 1;
+    if (menu.item({.icon = icon::kEye, .label = entry.visible ? "Hide entry" : "Show entry"}))
+        requests.edit(set_mask_entry_visible(material, layer, entry, !entry.visible));
+    if (menu.item({.icon = icon::kInvert, .label = "Invert", .ticked = entry.invert}))
+        requests.edit(set_mask_entry_invert(material, layer, entry, !entry.invert));
+    if (menu.item({.icon = icon::kClone, .label = "Duplicate entry"}))
+        requests.edit(duplicate_mask_entry(material, layer, entry));
+    if (menu.item({.label = "Move up", .enabled = index > 0}))
+        requests.edit(move_mask_entry(material, layer, entry, index - 1));
+    if (menu.item({.label = "Move down", .enabled = index < last}))
+        requests.edit(move_mask_entry(material, layer, entry, index + 1));
+    if (menu.item({.icon = icon::kTrash, .label = "Remove entry"}))
+        requests.edit(remove_mask_entry(material, layer, entry));
+    return requests;
+}
+
+Requests draw_entry_row(Ui& ui, const Rect& row, const LayerSubject& subject,
+                        const MaskEntry& entry, ViewState& view) {
+    Requests requests;
+    Rect inner = row.inset(ui.px(12), 0);
+    const Rect thumb = inner.cut_left(ui.px(28)).centered(ui.px(28), ui.px(28));
+    inner.cut_left(ui.px(8));
+    const Rect opacity_box = inner.cut_right(ui.px(subject.wide ? 64 : 44))
+                                 .centered(ui.px(subject.wide ? 64 : 44), ui.px(24));
+    inner.cut_right(ui.px(8));
+    const Rect combine_box = inner.cut_right(ui.px(84)).centered(ui.px(84), ui.px(24));
+    inner.cut_right(ui.px(6));
+    const auto combine =
+        parameter_combo(ui, combine_box, Parameter::MaskEntryCombine, entry.combine, false);
+    if (combine)
+        requests.edit(set_mask_entry_combine(subject.material, subject.layer, entry, *combine));
+    const auto opacity =
+        percent(ui, opacity_box, Parameter::MaskEntryOpacity, entry.opacity, subject.wide);
+    if (opacity)
+        requests.edit(set_mask_entry_opacity(subject.material, subject.layer, entry,
+                                             static_cast<float>(*opacity)));
+    const bool open = view.unfolded.mask_entry == entry.id;
+    const Tip tip{entry.name, "Click to edit it, right click for more"};
+    const Press pressed = press(ui, row,
+                                {.label = entry.name,
+                                 .kind = "mask entry",
+                                 .value = open ? "open" : "folded",
+                                 .tip = &tip});
+    if (pressed.hovered && !open) fill(ui, row.inset(ui.px(4), 0), theme::kOpenRow, 4);
+    if (pressed.clicked) view.unfolded.mask_entry = open ? std::nullopt : std::optional(entry.id);
+    if (pressed.right_clicked) ImGui::OpenPopup("entry menu");
+    const Faded hidden(ui, !entry.visible);
+    fill(ui, thumb, rgb(0x0D0D0D), 3);
+    picture(ui, thumb, subject.shown.thumbnails->mask_entry(subject.material, subject.layer, entry),
+            3);
+    Rect words = inner.centered(inner.width(), ui.px(32));
+    text(ui, words.cut_top(ui.px(17)), ui.fonts.body13, theme::kText, entry.name);
+    text(ui, words, ui.fonts.caption11, theme::kText3, kind_of(entry.source));
+    return requests;
+}
+
+Requests draw_entry(Ui& ui, Rect& rest, const LayerSubject& subject, const MaskEntry& entry,
+                    int index, ViewState& view) {
+    const Place place(ui, entry.name, entry.id.value);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.ChannelsSplit(2);
+    list.ChannelsSetCurrent(1);
+    const Rect row = rest.cut_top(ui.px(theme::kMaskRow));
+    Requests requests = draw_entry_row(ui, row, subject, entry, view);
+    requests.append(draw_entry_menu(ui, subject, entry, index));
+    const bool open = view.unfolded.mask_entry == entry.id;
+    if (open) {
+        Rect editor = rest;
+        editor.x0 += ui.px(48);
+        editor.x1 -= ui.px(12);
+        const float top = editor.y0;
+        const SourcePlace source = source_place(subject.material, subject.layer, entry);
+        requests.append(draw_source_editor(
+            ui, editor, {source, entry.source, std::nullopt, subject.layer.id, entry.id},
+            subject.shown));
+        requests.append(draw_levels(ui, editor, subject, entry));
+        rest.cut_top(editor.y0 - top + ui.px(4));
+    }
+    list.ChannelsSetCurrent(0);
+    if (open) fill(ui, {row.x0, row.y0, row.x1, rest.y0}, theme::kOpenRow);
+    list.ChannelsMerge();
+    return requests;
+}
+
+/// What masks begin with most; any other kind can then be chosen in the entry.
+constexpr std::array kUsualMasks = {ProceduralKind::ValueNoise,  ProceduralKind::PerlinNoise,
+                                    ProceduralKind::WorleyNoise, ProceduralKind::Grunge,
+                                    ProceduralKind::Cracks,      ProceduralKind::Scratches,
+                                    ProceduralKind::Spots,       ProceduralKind::Bricks};
+
+Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
+    Requests requests;
+    PopupMenu menu(ui, "add mask", 170);
+    if (!menu.open()) return requests;
+    for (const ProceduralKind kind : kUsualMasks)
+        if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
+            requests.edit(
+                add_mask_entry(subject.material, subject.layer, procedural_mask_entry(kind)));
+    if (menu.item({.icon = icon::kImage, .label = "Image\u2026"}))
+        requests.ask(ChooseImageFor{subject.layer.id, std::monostate{}});
+    if (menu.item({.icon = icon::kDroplet, .label = "Value"}))
+        requests.edit(add_mask_entry(subject.material, subject.layer, value_mask_entry()));
+    return requests;
+}
+
+Requests draw_mask_head(Ui& ui, Rect& rest, const LayerSubject& subject, ViewState& view) {
+    Requests requests;
+    const Mask& mask = subject.layer.mask;
+    Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
+    hairline(ui, head);
+    head.cut_right(ui.px(6));
+    const Rect plus = head.cut_right(ui.px(26));
+    if (icon_button(ui, plus, {.icon = icon::kPlus, .label = "Add mask entry"}))
+        ImGui::OpenPopup("add mask");
+    place_popup(plus, 0);
+    requests.append(draw_add_entry_menu(ui, subject));
+    if (!mask.entries.empty()) {
+        if (icon_button(ui, head.cut_right(ui.px(26)),
+                        {.icon = icon::kInvert,
+                         .label = "Invert mask",
+                         .tooltip = info(Parameter::MaskInvert).tooltip,
+                         .on = mask.invert}))
+            requests.edit(set_mask_invert(subject.material, subject.layer, !mask.invert));
+        if (icon_button(ui, head.cut_right(ui.px(26)),
+                        {.icon = mask.enabled ? icon::kEye : icon::kEyeSlash,
+                         .label = mask.enabled ? "Switch mask off" : "Switch mask on",
+                         .tooltip = info(Parameter::MaskEnabled).tooltip}))
+            requests.edit(set_mask_enabled(subject.material, subject.layer, !mask.enabled));
+    }
+    const std::string count = mask.entries.empty()
+                                  ? ""
+                                  : fmt::format("{} {}", mask.entries.size(),
+                                                mask.entries.size() == 1 ? "entry" : "entries");
+    if (section(ui, head, {.title = "Mask", .count = count, .open = view.unfolded.mask}))
+        view.unfolded.mask = !view.unfolded.mask;
+    return requests;
+}
+
+}  // namespace
+
+Requests draw_mask(Ui& ui, Rect& rest, const LayerSubject& subject, ViewState& view) {
+    const Place place(ui, "Mask");
+    Requests requests = draw_mask_head(ui, rest, subject, view);
+    if (!view.unfolded.mask) return requests;
+    const Mask& mask = subject.layer.mask;
+    if (mask.entries.empty()) {
+        Rect line_box = rest.cut_top(ui.px(26)).inset(ui.px(12), 0);
+        const TextButton add{.label = "Add", .link = true};
+        text(ui, line_box, ui.fonts.value12, theme::kText3, "No mask: the layer covers everything");
+        const float width = text_button_width(ui, add);
+        if (text_button(ui, line_box.cut_right(width), add)) requests.ask(Action::AddNoiseMask);
+    } else {
+        const Faded off(ui, !mask.enabled);
+        int index = 0;
+        for (const MaskEntry& entry : mask.entries)
+            requests.append(draw_entry(ui, rest, subject, entry, index++, view));
+        Rect base = rest.cut_top(ui.px(28)).inset(ui.px(12), ui.px(2));
+        const auto next = number_field(ui, base, number_spec(Parameter::MaskBase),
+                                       static_cast<double>(mask.base));
+        if (next)
+            requests.edit(
+                set_mask_base(subject.material, subject.layer, static_cast<float>(*next)));
+    }
+    rest.cut_top(ui.px(8));
+    return requests;
+}
+
+}  // namespace patina::editor

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "editor/workspace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "document/edits.h"
+
+namespace patina::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kModels = {".glb", ".gltf"};
+const std::vector<std::string> kImages = {".png", ".jpg",  ".jpeg", ".tif", ".tiff", ".exr",
+                                          ".hdr", ".webp", ".psd",  ".tga", ".bmp"};
+
+std::string ending_of(const fs::path& path) {
+    std::string ending = path.extension().string();
+    for (char& letter : ending)
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return ending;
+}
+
+bool is_one_of(const std::string& ending, const std::vector<std::string>& endings) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+}  // namespace
+
+void Workspace::when_edits_may_go(std::function<void()> go_on) {
+    if (!session_->is_edited()) return go_on();
+    const std::string name =
+        session_->path().empty() ? "the sample" : session_->path().filename().string();
+    question_.ask({.title = "Save the edits?",
+                   .text = fmt::format("{} has edits that are not saved. Without saving they are "
+                                       "lost.",
+                                       name),
+                   .answers = {{"Save", [this, go_on] { save_then(go_on); }, true},
+                               {"Discard", go_on},
+                               {"Cancel", {}}}});
+}
+
+void Workspace::save_then(std::function<void()> after) {
+    if (session_->path().empty()) return ask_save_as(std::move(after));
+    session_->save(session_->path(), std::move(after));
+}
+
+void Workspace::ask_save_as(std::function<void()> after) {
+    const std::string name =
+        session_->path().empty() ? "shader_ball.glb" : session_->path().filename().string();
+    file_dialog_.open({.title = "Save as",
+                       .button = "Save",
+                       .extensions = kModels,
+                       .name = name,
+                       .writing = true,
+                       .folder = false,
+                       .chosen = [this, after = std::move(after)](const fs::path& path) {
+                           session_->save(path, after);
+                       }});
+}
+
+void Workspace::ask_export() {
+    const auto chosen = [this](const fs::path& folder) {
+        const fs::path target = session_->export_target(folder);
+        std::error_code error;
+        if (!fs::exists(target, error)) return session_->export_maps(folder);
+        question_.ask({.title = "Replace the model there?",
+                       .text = fmt::format("{} is in {} already. The copy of the model with its "
+                                           "baked maps would take its place.",
+                                           quoted_for_message(target.filename().string(), 80),
+                                           quoted_for_message(folder.string(), 120)),
+                       .answers = {{"Replace", [this, folder] { session_->export_maps(folder); }},
+                                   {"Choose another folder", [this] { ask_export(); }, true},
+                                   {"Cancel", {}}}});
+    };
+    file_dialog_.open({.title = "Export the baked maps and a copy of the model to",
+                       .button = "Export here",
+                       .extensions = {},
+                       .name = {},
+                       .folder = true,
+                       .chosen = chosen});
+}
+
+void Workspace::perform_file(Action action) {
+    switch (action) {
+        case Action::Open:
+            when_edits_may_go([this] {
+                file_dialog_.open(
+                    {.title = "Open a model",
+                     .button = "Open",
+                     .extensions = kModels,
+                     .name = {},
+                     .chosen = [this](const fs::path& path) { session_->open(path); }});
+            });
+            return;
+        case Action::OpenSample:
+            when_edits_may_go([this] { session_->open_sample(); });
+            return;
+        case Action::Save:
+            if (session_->has_document()) save_then({});
+            return;
+        case Action::SaveAs:
+            if (session_->has_document()) ask_save_as({});
+            return;
+        case Action::Export:
+            if (session_->has_document()) ask_export();
+            return;
+        case Action::SaveView:
+            if (session_->has_document())
+                file_dialog_.open(
+                    {.title = "Save the view, 1920 \u00d7 1080",
+                     .button = "Save",
+                     .extensions = {".png"},
+                     .name = "view.png",
+                     .writing = true,
+                     .chosen = [this](const fs::path& path) { session_->save_view(path, view_); }});
+            return;
+        case Action::KeepPrevious:
+            return session_->set_keep_previous(!session_->keeps_previous());
+        case Action::Quit:
+            quit();
+            return;
+        default:
+            return;
+    }
+}
+
+void Workspace::quit() {
+    if (question_.is_open()) return;
+    when_edits_may_go([this] { quitting_ = true; });
+}
+
+void Workspace::take_file(const TakeFile& file) {
+    const fs::path& path = file.path;
+    const std::string ending = ending_of(path);
+    if (is_one_of(ending, kModels)) {
+        when_edits_may_go([this, path] { session_->open(path); });
+    } else if (ending == ".hdr" || (ending == ".exr" && file.place != DropPlace::Layers)) {
+        session_->use_environment_file(path);
+    } else if (ending == ".json") {
+        apply_preset_from(path);
+    } else if (is_one_of(ending, kImages)) {
+        if (!session_->has_document())
+            session_->toast(ToastKind::Note, "Open a model before dropping images");
+        else
+            session_->with_image(path,
+                                 [this](const ImageAssetPtr& image) { add_image_layer(image); });
+    } else {
+        session_->toast(ToastKind::Error,
+                        fmt::format("Cannot use {}: not a model, image, preset or panorama",
+                                    quoted_for_message(path.filename().string())));
+    }
+}
+
+void Workspace::ask_image(std::function<void(const ImageAssetPtr&)> use) {
+    file_dialog_.open({.title = "Choose an image",
+                       .button = "Use",
+                       .extensions = kImages,
+                       .name = {},
+                       .chosen = [this, use = std::move(use)](const fs::path& path) {
+                           session_->with_image(path, use);
+                       }});
+}
+
+void Workspace::use_image(const ImageAssetPtr& image, Edit edit, std::string label) {
+    session_->history().seal();
+    session_->apply(in_one_step(std::move(label), {add_image(image), std::move(edit)}));
+    session_->history().seal();
+}
+
+void Workspace::add_image_layer(const ImageAssetPtr& image) {
+    const MaterialPtr material = session_->selected_material(view_);
+    if (!material) return;
+    const LayerPtr selected = session_->selected_layer(view_);
+    const LayerPlace place = selected ? above(selected->id) : top_of_stack();
+    edit_and_select_new(
+        in_one_step("Add image " + image->name,
+                    {add_image(image), add_layer(*material, image_layer(*image), place)}));
+}
+
+void Workspace::choose_image_for(const ChooseImageFor& request) {
+    ask_image([this, request](const ImageAssetPtr& image) {
+        const MaterialPtr material = session_->selected_material(view_);
+        const LayerPtr layer = material ? find_layer(*material, request.layer) : nullptr;
+        if (!layer) return;
+        if (const auto* channel = std::get_if<Channel>(&request.part)) {
+            const SourcePlace place = source_place(*material, *layer, *channel);
+            ImageSource source{.image = image->hash};
+            const bool color = info(*channel).kind == ChannelKind::Color;
+            source.color_space =
+                color && image->type != SampleType::F32 ? ColorSpace::Srgb : ColorSpace::Linear;
+            const auto* before = std::get_if<ImageSource>(find_source(*material, place));
+            Edit edit = before != nullptr ? set_image(place, image) : set_source(place, source);
+            use_image(image, std::move(edit), "Image of " + place.name);
+        } else if (const auto* id = std::get_if<MaskEntryId>(&request.part)) {
+            for (const MaskEntry& entry : layer->mask.entries)
+                if (entry.id == *id)
+                    use_image(image,
+                              set_source(source_place(*material, *layer, entry),
+                                         ImageSource{.image = image->hash}),
+                              "Image of mask entry " + entry.name);
+        } else {
+            use_image(image, add_mask_entry(*material, *layer, image_mask_entry(*image)),
+                      "Add mask entry " + image->name);
+        }
+    });
+}
+
+void Workspace::lay_preset(const io::PresetFile& file, bool replace_stack) {
+    const auto lay = [this, preset = file.preset, target = view_.material, above_id = view_.layer,
+                      replace_stack](const std::vector<ImageAssetPtr>& images) {
+        const MaterialPtr material = find_material(session_->document(), target);
+        if (!material) return;
+        const LayerPtr layer = find_layer(*material, above_id);
+        const LayerPlace place = layer ? above(layer->id) : top_of_stack();
+        const DocumentPtr before = session_->history().document();
+        edit_and_select_new(replace_stack ? replace_stack_by_preset(*material, preset, images)
+                                          : apply_preset(*material, preset, place, images));
+        if (session_->history().document() == before) return;
+        session_->toast(ToastKind::Done,
+                        fmt::format("{} applied to {}", preset.name, material->name), "Undo",
+                        Action::Undo);
+    };
+    session_->with_preset_images(file, lay);
+}
+
+void Workspace::apply_preset_by_id(const ApplyPreset& request) {
+    for (const io::PresetFile& file : session_->presets())
+        if (file.preset.id == request.id && session_->has_document())
+            lay_preset(file, request.replace_stack);
+}
+
+void Workspace::apply_preset_from(const fs::path& path) {
+    if (!session_->has_document()) {
+        session_->toast(ToastKind::Note, "Open a model before dropping presets");
+        return;
+    }
+    const Result<io::PresetFile> file = io::read_preset(path);
+    if (file)
+        lay_preset(*file, false);
+    else
+        session_->toast(ToastKind::Error, file.error().message);
+}
+
+}  // namespace patina::editor
