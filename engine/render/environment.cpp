@@ -37,8 +37,8 @@ FilterSettings settings_of(FilterQuality quality) {
 }
 
 /// Texels of the cube as fine as those of the map, which go four times round the horizon.
-int face_size_for(const RadianceMap& map, int largest_face) {
-    const auto wanted = static_cast<unsigned>(std::max(1, map.width / 4));
+int face_size_for(int map_width, int largest_face) {
+    const auto wanted = static_cast<unsigned>(std::max(1, map_width / 4));
     return std::clamp(static_cast<int>(std::bit_ceil(wanted)), 64, largest_face);
 }
 
@@ -252,18 +252,24 @@ float prefiltered_roughness(float level_share) {
     return formulae::prefiltered_roughness(level_share);
 }
 
+Result<RadianceMap> filtered_map(const Image& equirect, FilterQuality quality) {
+    Result<RadianceMap> map = radiance_map(equirect);
+    if (!map) return map;
+    const int face_size = face_size_for(map->width, settings_of(quality).largest_face);
+    return reduced_to_width(std::move(*map), 4 * face_size);
+}
+
 Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQuality quality,
                                                const Progress& progress) {
     const FilterSettings settings = settings_of(quality);
-    Result<RadianceMap> map = radiance_map(equirect);
+    Result<RadianceMap> map = filtered_map(equirect, quality);
     if (!map) return passed_on(map);
+    const int face_size = face_size_for(equirect.width, settings.largest_face);
 
     FilteredEnvironment environment;
     environment.source = content_hash(equirect);
     environment.quality = quality;
-    const int face_size = face_size_for(*map, settings.largest_face);
-    environment.map =
-        std::make_shared<const RadianceMap>(reduced_to_width(std::move(*map), 4 * face_size));
+    environment.map = std::make_shared<const RadianceMap>(std::move(*map));
     const RadianceMap& whole = *environment.map;
     MapWithoutSuns parted = take_out_suns(whole);
     environment.suns = std::move(parted.suns);

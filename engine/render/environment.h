@@ -19,6 +19,7 @@
 
 #include "core/progress.h"
 #include "core/result.h"
+#include "render/environment_sampler.h"
 #include "render/radiance_map.h"
 #include "scene/image.h"
 
@@ -51,6 +52,9 @@ struct FilteredEnvironment {
     FilterQuality quality = FilterQuality::First;
     /// What was filtered, at most 2048 texels wide: stills that converge read it.
     std::shared_ptr<const RadianceMap> map;
+    /// environment_sampling of `map` where a worker has made it; null: the renderer makes it when a
+    /// picture first needs it.
+    std::shared_ptr<const EnvironmentSampling> sampling = nullptr;
     /// Radiance convolved with GGX for n = v = r; level i is for the roughness
     /// prefiltered_roughness(i / (levels - 1)). Level 0 is the map itself; the others, and
     /// `diffuse`, are without `suns`.
@@ -68,6 +72,9 @@ struct FilteredEnvironment {
 
 /// At most this many suns are taken out of a map, the strongest.
 inline constexpr std::size_t kMostSuns = 4;
+
+/// FilteredEnvironment::map of an equirectangular map: what filter_environment filters.
+Result<RadianceMap> filtered_map(const Image& equirect, FilterQuality quality);
 
 /// Filters an equirectangular map of any size: 1 to 4 channels (grey or RGB; alpha is ignored), F32
 /// linear, or U8/U16 taken as sRGB. Peaks beyond 65504 are kept in all that is filtered; in the

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/packing.hpp>
 
 namespace patina::render {
 namespace {
@@ -48,6 +49,23 @@ float unit_from_bits(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
 
+/// What brings the brightest texel into half floats.
+float scale_of(const RadianceMap& map) {
+    float most = 0.0f;
+    for (const glm::vec3& texel : map.texels) most = std::max({most, texel.x, texel.y, texel.z});
+    return most > kLargestHalf ? kLargestHalf / most : 1.0f;
+}
+
+std::vector<std::uint16_t> packed(const RadianceMap& map, float scale) {
+    std::vector<std::uint16_t> halves;
+    halves.reserve(map.texels.size() * 4);
+    for (const glm::vec3& texel : map.texels) {
+        for (int c = 0; c < 3; ++c) halves.push_back(glm::packHalf1x16(texel[c] * scale));
+        halves.push_back(glm::packHalf1x16(1.0f));
+    }
+    return halves;
+}
+
 }  // namespace
 
 EnvironmentSampler::EnvironmentSampler(std::shared_ptr<const RadianceMap> map)
@@ -86,6 +104,21 @@ EnvironmentSample EnvironmentSampler::sample(const glm::vec2& u) const {
     result.density =
         row.share * column.share / texel_solid_angle(*map_, static_cast<int>(row.index));
     return result;
+}
+
+std::shared_ptr<const EnvironmentSampling> environment_sampling(
+    std::shared_ptr<const RadianceMap> map) {
+    auto sampling = std::make_shared<EnvironmentSampling>();
+    sampling->width = map->width;
+    sampling->height = map->height;
+    sampling->scale = scale_of(*map);
+    sampling->levels.push_back(packed(*map, sampling->scale));
+    for (RadianceMap level = *map; level.width > 1 || level.height > 1;) {
+        level = halved(level);
+        sampling->levels.push_back(packed(level, sampling->scale));
+    }
+    sampling->sampler = std::make_shared<const EnvironmentSampler>(std::move(map));
+    return sampling;
 }
 
 glm::vec2 sobol_point(std::uint32_t i) {

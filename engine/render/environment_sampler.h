@@ -3,6 +3,7 @@
 
 /// Directions of an environment, drawn as often as they are bright: what lights a converging still.
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 #include <vector>
@@ -38,6 +39,19 @@ class EnvironmentSampler {
     std::vector<float> columns_;  ///< of each row: the share at the left of the end of each texel
     double total_luminance_ = 0.0;
 };
+
+/// A map ready to be drawn from and to be uploaded.
+struct EnvironmentSampling {
+    std::shared_ptr<const EnvironmentSampler> sampler;
+    int width = 0;
+    int height = 0;
+    float scale = 1.0f;  ///< of what `levels` hold to radiance: it brings them into half floats
+    /// RGBA halves of the map and of its halves down to one texel, as RadianceMap has its rows.
+    std::vector<std::vector<std::uint16_t>> levels;
+};
+/// Takes some 50 ms for the largest map: for a worker. Any thread.
+std::shared_ptr<const EnvironmentSampling> environment_sampling(
+    std::shared_ptr<const RadianceMap> map);
 
 /// Point i of a sequence in the unit square of which every 2^k points are spread evenly, each run
 /// of them one to a strip: a (0, 2) sequence. I. M. Sobol, 1967.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/gtc/constants.hpp>
-#include <glm/gtc/packing.hpp>
 #include <span>
 
 namespace patina::render {
@@ -13,42 +12,24 @@ namespace {
 constexpr int kMapUnit = 11;
 constexpr std::uint32_t kLightSamples = 8;  ///< LIGHT_SAMPLES of the shader
 
-/// What brings the brightest texel into half floats.
-float scale_of(const RadianceMap& map) {
-    float most = 0.0f;
-    for (const glm::vec3& texel : map.texels) most = std::max({most, texel.x, texel.y, texel.z});
-    return most > kLargestHalf ? kLargestHalf / most : 1.0f;
-}
-
-void upload_level(gl::Texture& texture, const RadianceMap& map, int level, float scale) {
-    std::vector<std::uint16_t> halves;
-    halves.reserve(map.texels.size() * 4);
-    for (const glm::vec3& texel : map.texels) {
-        for (int c = 0; c < 3; ++c) halves.push_back(glm::packHalf1x16(texel[c] * scale));
-        halves.push_back(glm::packHalf1x16(1.0f));
-    }
-    texture.upload_halves({.size = {map.width, map.height}, .level = level}, halves);
-}
-
 }  // namespace
 
-Result<SampledEnvironment> upload_sampled_environment(std::shared_ptr<const RadianceMap> map) {
-    const int levels = gl::full_level_count({map->width, map->height});
-    Result<gl::Texture> texture = gl::Texture::make({.label = "environment.map",
-                                                     .size = {map->width, map->height},
-                                                     .format = gl::Format::Rgba16F,
-                                                     .levels = levels});
+Result<SampledEnvironment> upload_sampled_environment(const EnvironmentSampling& sampling) {
+    Result<gl::Texture> texture =
+        gl::Texture::make({.label = "environment.map",
+                           .size = {sampling.width, sampling.height},
+                           .format = gl::Format::Rgba16F,
+                           .levels = static_cast<int>(sampling.levels.size())});
     if (!texture) return passed_on(texture);
-    const float scale = scale_of(*map);
-    RadianceMap level = *map;
-    for (int i = 0; i < levels; ++i) {
-        if (i > 0) level = halved(level);
-        upload_level(*texture, level, i, scale);
-    }
+    for (int level = 0; level < static_cast<int>(sampling.levels.size()); ++level)
+        texture->upload_halves(
+            {.size = {std::max(sampling.width >> level, 1), std::max(sampling.height >> level, 1)},
+             .level = level},
+            sampling.levels[static_cast<std::size_t>(level)]);
     gl::Sampler reading = gl::Sampler::make(
         {.label = "environment.map", .wrap_u = gl::Wrap::Repeat, .mip = gl::MipFilter::Linear});
-    return SampledEnvironment{EnvironmentSampler(std::move(map)), std::move(*texture),
-                              std::move(reading), scale};
+    return SampledEnvironment{sampling.sampler, std::move(*texture), std::move(reading),
+                              sampling.scale};
 }
 
 void bind_environment_samples(gl::Pass& pass, gl::Program& program,
@@ -62,7 +43,7 @@ void bind_environment_samples(gl::Pass& pass, gl::Program& program,
 
     std::array<glm::vec4, kLightSamples> towards = {};
     std::array<glm::vec4, kLightSamples> radiance = {};
-    const EnvironmentSampler& sampler = environment.sampler;
+    const EnvironmentSampler& sampler = *environment.sampler;
     program.set("light_sample_count", sampler.has_light() ? static_cast<int>(kLightSamples) : 0);
     if (!sampler.has_light()) return;
     for (std::uint32_t i = 0; i < kLightSamples; ++i) {

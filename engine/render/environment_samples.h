@@ -21,13 +21,13 @@ struct StillDraw {
 
 /// An environment that directions are drawn from.
 struct SampledEnvironment {
-    EnvironmentSampler sampler;
+    std::shared_ptr<const EnvironmentSampler> sampler;
     gl::Texture map;
     gl::Sampler reading;
     float scale = 1.0f;  ///< of what `map` holds to radiance
 };
-/// Uploads the map with its mips in half floats, scaled to fit. Fails when the driver refuses it.
-Result<SampledEnvironment> upload_sampled_environment(std::shared_ptr<const RadianceMap> map);
+/// Fails when the driver refuses the map.
+Result<SampledEnvironment> upload_sampled_environment(const EnvironmentSampling& sampling);
 
 /// Takes texture unit 11. Index of the draw decides which directions are drawn.
 void bind_environment_samples(gl::Pass& pass, gl::Program& program,

@@ -196,7 +196,7 @@ Status draw_averaged(RendererState& state, const View& view, glm::ivec2 size,
                          {.framebuffer = target.framebuffer,
                           .area = area,
                           .picture_offset = area.offset,
-                          .output = OutputMode::Display});
+                          .output = target.output});
     };
     if (view.compare != CompareMode::TwoViews) return post(FrameSide::Left, {{0, 0}, size});
     const glm::ivec2 offset = side_area(view, size, FrameSide::Right).offset;

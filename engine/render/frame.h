@@ -19,8 +19,8 @@ struct FrameTarget {
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                   const FrameTarget& target);
 
-/// Turns a sum of `draws` frames, each drawn as radiance before a transparent background, into
-/// display light over the view's background.
+/// Turns a sum of `draws` frames, each drawn as radiance before a transparent background, into the
+/// picture over the view's background.
 Status draw_averaged(RendererState& state, const View& view, glm::ivec2 size,
                      const gl::Framebuffer& sum, int draws, const FrameTarget& target);
 

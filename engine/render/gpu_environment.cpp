@@ -51,6 +51,7 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
                           .key_irradiance_linear = environment.key_irradiance_linear,
                           .suns = environment.suns,
                           .map = environment.map,
+                          .sampling = environment.sampling,
                           .levels = static_cast<int>(environment.specular.levels.size())};
 }
 

@@ -21,6 +21,7 @@ struct GpuEnvironment {
     glm::vec3 key_irradiance_linear;
     std::vector<EnvironmentSun> suns;
     std::shared_ptr<const RadianceMap> map;
+    std::shared_ptr<const EnvironmentSampling> sampling;  ///< until it is uploaded
     int levels = 1;
 };
 

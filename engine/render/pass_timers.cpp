@@ -22,6 +22,7 @@ void PassTimers::collect(Timer& timer) {
 }
 
 PassTimers::Scope PassTimers::measure(FrameSide side, std::string_view name) {
+    if (paused_) return Scope(nullptr);
     const std::pair key(side, name);
     auto found = timers_.find(key);
     if (found == timers_.end())

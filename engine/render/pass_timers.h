@@ -36,8 +36,20 @@ class PassTimers {
         gl::TimerQuery* query_;
     };
 
+    /// While one lives nothing is measured, and the frame before is still the one reported.
+    class Pause {
+      public:
+        explicit Pause(PassTimers& timers) : timers_(timers) { timers_.paused_ = true; }
+        ~Pause() { timers_.paused_ = false; }
+        Pause(const Pause&) = delete;
+        Pause& operator=(const Pause&) = delete;
+
+      private:
+        PassTimers& timers_;
+    };
+
     /// Forgets which passes the frame before had.
-    void begin_frame() { ++frame_; }
+    void begin_frame() { frame_ += paused_ ? 0 : 1; }
     /// @param name  a literal: it is kept
     Scope measure(FrameSide side, std::string_view name);
 
@@ -57,6 +69,7 @@ class PassTimers {
     std::map<std::pair<FrameSide, std::string_view>, Timer> timers_;
     long frame_ = 0;
     int passes_ = 0;
+    bool paused_ = false;
 };
 
 }  // namespace patina::render

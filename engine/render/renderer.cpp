@@ -33,9 +33,8 @@ Status check_size(PictureSize size) {
                    size.height, kMaxPictureSide);
 }
 
-/// Where the picture of the last draw is.
 const gl::Framebuffer* shown_picture(const RendererState& state) {
-    return state.last_smoothed ? state.smoothed.get() : state.picture.get();
+    return state.shown == nullptr ? nullptr : state.shown->get();
 }
 
 Result<Image> image_of(const gl::Framebuffer* framebuffer) {
@@ -92,6 +91,8 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       strip(color_target("strip", gl::Format::Rgba8)),
       accumulation(color_target("accumulation", gl::Format::Rgba32F)),
       still(color_target("still", gl::Format::Rgba32F)),
+      refinement(color_target("refinement", gl::Format::Rgba32F)),
+      refined(color_target("refined", gl::Format::Rgba8)),
       probe_values(color_target("probe", gl::Format::Rgba32F)) {}
 
 Status require_content(const RendererState& state) {
@@ -156,14 +157,14 @@ Result<FrameStats> Renderer::draw(const View& view, PictureSize size) {
         return passed_on(drawn);
     state_->last_view = view;
     state_->last_size = size;
-    state_->last_smoothed = view.anti_aliasing == AntiAliasing::Fast &&
-                            view.channel == ChannelView::Final &&
-                            view.compare != CompareMode::Difference;
-    if (state_->last_smoothed) {
+    state_->shown = &state_->picture;
+    if (view.anti_aliasing == AntiAliasing::Fast && view.channel == ChannelView::Final &&
+        view.compare != CompareMode::Difference) {
         const Result<gl::Framebuffer*> smoothed = state_->smoothed.at(vector_of(size));
         if (!smoothed) return passed_on(smoothed);
         if (Status done = draw_smoothed(*state_, **picture, **smoothed); !done)
             return passed_on(done);
+        state_->shown = &state_->smoothed;
     }
     return frame_stats(*state_);
 }

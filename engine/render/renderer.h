@@ -96,6 +96,18 @@ struct Still {
     bool is_finished() const { return drawn >= samples; }
 };
 
+/// A picture that gets better a draw at a time while nothing moves.
+struct Refinement {
+    View view;
+    PictureSize size;
+    int draws = 256;  ///< when it is finished
+    int drawn = 0;
+    bool is_finished() const { return drawn >= draws; }
+};
+/// How many of at most `most` draws make the view better: none for channels and differences, which
+/// hold exact numbers, and as many as smooth edges need where no draw samples the environment.
+int refining_draws(const View& view, int most);
+
 /// What the draws of a still came to: display light, bottom row first.
 struct StillMean {
     PictureSize size;
@@ -137,6 +149,16 @@ class Renderer {
     /// The name of that texture for Dear ImGui (ImTextureID), sRGB-encoded RGBA8, row 0 at the
     /// bottom as OpenGL has it. Valid until the next draw of another size.
     std::uintptr_t picture_texture() const;
+
+    /// One more draw, with its own sub-pixel offset, and their mean in radiance becomes the picture
+    /// that picture_texture() and read_picture() give, until the next draw(). The first draws read
+    /// the environment filtered, and with `draws` beyond those the others sample it, so that the
+    /// picture converges to the integral of the BRDF over it; its noise is never more than that of
+    /// a still of 64 samples. The mean of the first few is not shown: they are less smooth than
+    /// what draw() makes. Pictures, strips, stills and probes may be drawn in between; other
+    /// refinements may not, and scene, materials and light must stay as they are. Costs are not
+    /// measured.
+    Status refine(Refinement& refinement);
 
     /// Draws the kStripChannelCount channels of `view` (left shading) into one picture, each
     /// `thumbnail` large, beside each other from the left; one G-buffer serves them all.

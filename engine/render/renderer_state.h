@@ -70,13 +70,15 @@ struct RendererState {
     SizedTarget smoothed;
     SizedTarget strip;
     SizedTarget accumulation;
-    SizedTarget still;         ///< a sampled still, averaged and in display light
+    SizedTarget still;       ///< a sampled still, averaged and in display light
+    SizedTarget refinement;  ///< radiance, summed
+    SizedTarget refined;
     SizedTarget probe_values;  ///< one texel a channel
 
     View drawn_view;  ///< of the last frame, a sample of a still too
     View last_view;   ///< of the last draw
     PictureSize last_size;
-    bool last_smoothed = false;  ///< the picture is in `smoothed`
+    const SizedTarget* shown = nullptr;  ///< which target holds the picture
 };
 
 /// A failure that says so while no scene or no environment has been set.

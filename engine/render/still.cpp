@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-/// Stills: the mean of many draws with sub-pixel offsets, accumulated in 32-bit floats.
+/// Stills: the mean of many draws with sub-pixel offsets.
 
 #include <cassert>
 #include <cmath>
@@ -8,25 +8,13 @@
 
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
-#include "render/frame.h"
+#include "render/accumulation.h"
 #include "render/renderer.h"
 
 namespace patina::render {
 namespace {
 
 constexpr int kMaxSamples = 65536;
-
-/// Where sample i lies in its pixel, from the middle; the first is the middle. Martin Roberts's R2
-/// sequence (2018): powers of the inverse of the plastic number, well spread for any count.
-glm::vec2 sample_offset(int i) {
-    constexpr double kA1 = 0.7548776662466927;
-    constexpr double kA2 = 0.5698402909980532;
-    const auto share = [&](double a) {
-        const double x = 0.5 + a * i;
-        return static_cast<float>(x - std::floor(x) - 0.5);
-    };
-    return {share(kA1), share(kA2)};
-}
 
 Status check_still(const RendererState& state, PictureSize size, int samples) {
     if (Status ready = require_content(state); !ready) return ready;
@@ -48,38 +36,25 @@ bool samples_environment(const View& view, int samples, OutputMode output) {
     if (samples < kLeastSampledDraws) return false;
     // The mean of differences of noise is not the difference of the means.
     if (view.compare == CompareMode::Difference || shows_difference_beside(view)) return false;
-    if (view.left.model != ShadingModel::Pbr &&
-        (view.compare == CompareMode::Single || view.right.model != ShadingModel::Pbr))
-        return false;
+    if (!has_sampled_light(view)) return false;
     return output == OutputMode::Radiance || view.channel == ChannelView::Final;
-}
-
-Status ready_to_sample(RendererState& state) {
-    if (state.sampled_environment) return {};
-    Result<SampledEnvironment> made = upload_sampled_environment(state.environment->map);
-    if (!made) return passed_on(made);
-    state.sampled_environment.emplace(std::move(*made));
-    return {};
 }
 
 /// Adds sample i of `samples` to the sum; the first clears it.
 Status add_sample(RendererState& state, const View& view, PictureSize size, int i, int samples,
                   OutputMode output) {
-    const glm::ivec2 pixels(size.width, size.height);
-    const Result<gl::Framebuffer*> sum = state.accumulation.at(pixels);
+    const Result<gl::Framebuffer*> sum = sum_for(state.accumulation, size, i);
     if (!sum) return passed_on(sum);
-    if (i == 0)
-        const gl::Pass clear({.label = "clear", .target = *sum, .clear_colors = {glm::vec4(0.0f)}});
+    const bool sampled = samples_environment(view, samples, output);
+    if (sampled && output != OutputMode::Radiance)
+        return add_radiance(state, view, size, **sum, {i, StillDraw{i, samples}});
     FrameTarget target{
         .framebuffer = *sum, .output = output, .add = true, .jitter_pixels = sample_offset(i)};
-    if (!samples_environment(view, samples, output)) return draw_frame(state, view, pixels, target);
-    if (Status ready = ready_to_sample(state); !ready) return ready;
-    target.still = StillDraw{i, samples};
-    if (output == OutputMode::Radiance) return draw_frame(state, view, pixels, target);
-    target.output = OutputMode::Radiance;
-    View bare = view;
-    bare.background.kind = Background::Kind::Transparent;
-    return draw_frame(state, bare, pixels, target);
+    if (sampled) {
+        if (Status ready = ready_to_sample(state); !ready) return ready;
+        target.still = StillDraw{i, samples};
+    }
+    return draw_frame(state, view, {size.width, size.height}, target);
 }
 
 std::vector<float> mean_of(const gl::Framebuffer& sum, PictureSize size, int samples) {
@@ -104,8 +79,9 @@ Result<std::vector<float>> finished(RendererState& state, const Still& still) {
     const glm::ivec2 pixels(still.size.width, still.size.height);
     const Result<gl::Framebuffer*> target = state.still.at(pixels);
     if (!target) return passed_on(target);
-    if (Status drawn = draw_averaged(state, still.view, pixels, *state.accumulation.get(),
-                                     still.drawn, {.framebuffer = *target});
+    if (Status drawn =
+            draw_averaged(state, still.view, pixels, *state.accumulation.get(), still.drawn,
+                          {.framebuffer = *target, .output = OutputMode::Display});
         !drawn)
         return passed_on(drawn);
     return (*target)->read_color(0, {0, 0}, pixels);

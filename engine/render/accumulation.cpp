@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "render/accumulation.h"
+
+#include <cmath>
+
+namespace patina::render {
+
+glm::vec2 sample_offset(int i) {
+    constexpr double kA1 = 0.7548776662466927;
+    constexpr double kA2 = 0.5698402909980532;
+    const auto share = [&](double a) {
+        const double x = 0.5 + a * i;
+        return static_cast<float>(x - std::floor(x) - 0.5);
+    };
+    return {share(kA1), share(kA2)};
+}
+
+bool has_sampled_light(const View& view) {
+    return view.left.model == ShadingModel::Pbr ||
+           (view.compare != CompareMode::Single && view.right.model == ShadingModel::Pbr);
+}
+
+Result<gl::Framebuffer*> sum_for(SizedTarget& target, PictureSize size, int index) {
+    Result<gl::Framebuffer*> sum = target.at({size.width, size.height});
+    if (sum && index == 0)
+        const gl::Pass clear({.label = "clear", .target = *sum, .clear_colors = {glm::vec4(0.0f)}});
+    return sum;
+}
+
+Status ready_to_sample(RendererState& state) {
+    if (state.sampled_environment) return {};
+    GpuEnvironment& environment = *state.environment;
+    if (!environment.sampling) environment.sampling = environment_sampling(environment.map);
+    Result<SampledEnvironment> made = upload_sampled_environment(*environment.sampling);
+    if (!made) return passed_on(made);
+    state.sampled_environment.emplace(std::move(*made));
+    environment.sampling.reset();
+    return {};
+}
+
+Status add_radiance(RendererState& state, const View& view, PictureSize size,
+                    const gl::Framebuffer& sum, const AddedDraw& draw) {
+    if (draw.still)
+        if (Status ready = ready_to_sample(state); !ready) return ready;
+    View bare = view;
+    bare.background.kind = Background::Kind::Transparent;
+    return draw_frame(state, bare, {size.width, size.height},
+                      {.framebuffer = &sum,
+                       .output = OutputMode::Radiance,
+                       .add = true,
+                       .jitter_pixels = sample_offset(draw.index),
+                       .still = draw.still});
+}
+
+}  // namespace patina::render
