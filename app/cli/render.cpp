@@ -22,7 +22,8 @@ constexpr const char* kFooter =
     "World: right-handed, +Y up, metres. A direction (x, y, z) reads an environment at\n"
     "u = 0.5 + atan2(z, x) / 2pi, v = acos(y) / pi from the top row.\n"
     "A .png holds the exposed and tone-mapped picture; a .exr holds linear radiance without both,\n"
-    "or with --channel the raw numbers.\n"
+    "or with --channel the raw numbers. Filtered environments are kept for the next time in\n"
+    "$XDG_CACHE_HOME/patina or ~/.cache/patina, at most 512 MiB.\n"
     "\n"
     "Examples:\n"
     "  patina render model.glb -o picture.png\n"
@@ -129,6 +130,7 @@ Result<render::RenderedImage> rendered(const RenderOptions& options, const Progr
     auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
     render::OffscreenRequest request = options.request;
+    request.environment_cache = render::user_environment_cache();
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
     if (const Status lit = set_environment(options, *loaded, request); !lit) return passed_on(lit);
     set_camera(options, *loaded->document, request);

@@ -66,14 +66,14 @@ Result<Image> builtin_or_studio(const std::string& name) {
 Status set_environment(Renderer& renderer, const Document& document,
                        const OffscreenRequest& request, const Progress& progress) {
     progress.set_stage("Filtering the environment");
-    Result<FilteredEnvironment> filtered = failure("not filtered");
-    if (request.environment) {
-        filtered = filter_environment(*request.environment, FilterQuality::Finished);
-    } else {
-        const Result<Image> map = builtin_or_studio(document.environment.name);
-        if (!map) return passed_on(map);
-        filtered = filter_environment(*map, FilterQuality::Finished);
+    ImagePtr map = request.environment;
+    if (!map) {
+        Result<Image> builtin = builtin_or_studio(document.environment.name);
+        if (!builtin) return passed_on(builtin);
+        map = std::make_shared<const Image>(std::move(*builtin));
     }
+    const Result<FilteredEnvironment> filtered =
+        finished_environment(request.environment_cache, *map);
     if (!filtered) return passed_on(filtered);
     return renderer.set_environment(*filtered);
 }

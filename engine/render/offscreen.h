@@ -12,6 +12,7 @@
 #include "core/progress.h"
 #include "core/result.h"
 #include "document/document.h"
+#include "render/environment_cache.h"
 #include "render/renderer.h"
 #include "render/view.h"
 
@@ -29,7 +30,8 @@ struct OffscreenRequest {
     /// An equirectangular map that is decoded already; null: the built-in one that the document
     /// names, or the studio.
     ImagePtr environment;
-    int max_map_size = kMaxResolution;  ///< baked maps are made at most this large
+    EnvironmentCache environment_cache = {};  ///< where filtered environments are kept; nowhere
+    int max_map_size = kMaxResolution;        ///< baked maps are made at most this large
 };
 
 struct RenderedImage {
