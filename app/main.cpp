@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
                                     .ui_map = editor->ui_map,
                                     .scale = editor->scale,
                                     .window_width = editor->window_width,
-                                    .window_height = editor->window_height});
+                                    .window_height = editor->window_height,
+                                    .refining_draws = editor->refining_draws});
     return patina::cli::run(std::get<std::function<patina::Status()>>(invocation));
 }

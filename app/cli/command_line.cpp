@@ -56,6 +56,11 @@ void add_editor_options(CLI::App& app, EditorRequest& editor) {
                    "Size of the editor's interface; as it was left, or as the monitor asks")
         ->check(CLI::Range(1.0, 2.5))
         ->type_name("X");
+    app.add_option("--refine", editor.refining_draws,
+                   "Samples that the editor's picture is averaged of while nothing moves: 256; 0 "
+                   "keeps the first")
+        ->check(CLI::Range(0, 65536))
+        ->type_name("N");
     add_size_option(app, "--window", editor.window_width, editor.window_height,
                     "Size of the editor's window; as it was left");
 }

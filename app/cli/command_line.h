@@ -24,6 +24,7 @@ struct EditorRequest {
     float scale = 0.0f;    ///< 1 to 2.5; 0: as it was left, or as the monitor has it
     int window_width = 0;  ///< 0: as the window was left
     int window_height = 0;
+    std::optional<int> refining_draws;  ///< 0: none; unset: as it was left
 };
 
 using Invocation = std::variant<std::function<Status()>, EditorRequest, ExitStatus>;

@@ -26,6 +26,9 @@ constexpr float kMostScale = 2.5f;
 constexpr float kHistogramHeight = 128.0f;  // logical
 /// Dear ImGui settles hovers and popups in the frames after an input.
 constexpr int kSettlingFrames = 3;
+constexpr int kRefiningDraws = 256;
+/// A hand that pauses for less is still at work, and its next move shall find nothing under way.
+constexpr double kRestingSeconds = 0.3;
 
 float usable_scale(float wanted) {
     return std::clamp(std::round(wanted / kScaleStep) * kScaleStep, kLeastScale, kMostScale);
@@ -122,7 +125,14 @@ void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
     workspace.log().draw(ui, shown.log);
 }
 
-Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
+/// How the picture is refined while the hand rests.
+struct Refining {
+    int draws = kRefiningDraws;
+    double seconds_to_rest = kRestingSeconds;
+};
+
+Session::FrameInput frame_input(const Layout& layout, const ViewState& view,
+                                const Refining& refining) {
     Session::FrameInput input;
     const auto pixels = [](float size) { return std::max(static_cast<int>(size), 1); };
     input.viewport = {pixels(layout.viewport.width()), pixels(layout.viewport.height())};
@@ -135,6 +145,8 @@ Session::FrameInput frame_input(const Layout& layout, const ViewState& view) {
         input.hovered = glm::vec2((mouse.x - layout.viewport.x0) / layout.viewport.width(),
                                   (mouse.y - layout.viewport.y0) / layout.viewport.height());
     input.moving = ImGui::IsAnyMouseDown();
+    input.refining_draws = view.refine_when_idle ? refining.draws : 0;
+    input.resting = refining.seconds_to_rest <= 0.0;
     return input;
 }
 
@@ -144,6 +156,7 @@ struct Parts {
     Window& window;
     Workspace& workspace;
     Facts& facts;
+    Refining refining = {};
     bool scale_chosen = false;  ///< by the user, in this session
     Rect viewport = {};         ///< of the last frame
     Rect layers = {};
@@ -169,7 +182,7 @@ double draw_frame(Parts& parts, bool quiet) {
         workspace.set_has_log_panel(!layout.history.empty());
         parts.viewport = layout.viewport;
         parts.layers = layout.layers;
-        session.update(view, frame_input(layout, view));
+        session.update(view, frame_input(layout, view, parts.refining));
         const Shown shown = session.shown(view);
         Requests requests = draw_panels(ui, layout, shown, view);
         draw_dialogs(ui, workspace, shown);
@@ -185,6 +198,8 @@ double draw_frame(Parts& parts, bool quiet) {
     // After the swap: who reads the map finds on screen what it says.
     if (const Status written = ui.map.end_frame(); !written)
         std::fprintf(stderr, "patina: %s\n", written.error().message.c_str());
+    if (session.refining() && !ImGui::IsAnyMouseDown())
+        ui.wake_in(std::max(parts.refining.seconds_to_rest, 0.0));
     return session.wants_frame() ? 0.0 : ui.seconds_to_wake();
 }
 
@@ -228,6 +243,7 @@ void remember(const Options& options, const Parts& parts, Settings& settings) {
     now.splitters = view.splitters;
     now.shelf_open = view.unfolded.shelf;
     now.keep_previous = parts.workspace.session().keeps_previous();
+    if (!options.refining_draws) now.refine_when_idle = view.refine_when_idle;
     if (options.window_width == 0) now.window_width = parts.window.size()[0];
     if (options.window_height == 0) now.window_height = parts.window.size()[1];
     if (parts.scale_chosen) now.scale = parts.ui.scale;
@@ -253,9 +269,13 @@ Status run_window(const Options& options) {
     workspace.view().splitters = settings.splitters;
     workspace.view().unfolded.shelf = settings.shelf_open;
     workspace.session().set_keep_previous(settings.keep_previous);
+    workspace.view().refine_when_idle =
+        options.refining_draws.value_or(settings.refine_when_idle ? kRefiningDraws : 0) > 0;
     if (options.file) workspace.take_file({*options.file});
     Facts facts;
     Parts parts{ui, window, workspace, facts};
+    if (options.refining_draws.value_or(0) > 0) parts.refining.draws = *options.refining_draws;
+    auto touched = std::chrono::steady_clock::now();
     std::string title;
     int frames_left = kSettlingFrames;
     double wait_seconds = 0.0;
@@ -264,7 +284,13 @@ Status run_window(const Options& options) {
             window.poll();
         else
             window.wait(wait_seconds);
-        if (window.take_input()) frames_left = kSettlingFrames;
+        const auto now = std::chrono::steady_clock::now();
+        if (window.take_input()) {
+            frames_left = kSettlingFrames;
+            touched = now;
+        }
+        parts.refining.seconds_to_rest =
+            kRestingSeconds - std::chrono::duration<double>(now - touched).count();
         for (const Window::Dropped& dropped : window.take_dropped()) take_dropped(parts, dropped);
         if (window.close_wanted()) {
             window.refuse_close();

@@ -19,6 +19,9 @@ struct Options {
         0.0f;  ///< of the interface, 1 to 2.5; 0: as it was left, or as the monitor has it
     int window_width = 0;  ///< 0: as it was left, or 1600 x 900
     int window_height = 0;
+    /// How many draws the picture of the viewport is the mean of when nothing moves; 0: of one.
+    /// Unset: kRefiningDraws, or one where that was switched off.
+    std::optional<int> refining_draws;
 };
 
 /// Opens the window and returns when it is closed: 0, or 1 after one line on standard error when no

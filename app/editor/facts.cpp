@@ -52,6 +52,8 @@ void Facts::state(Ui& ui, const Frame& frame) {
                                 : "");
     state_document(map, frame.shown);
     state_view(map, frame.view);
+    const RefinementShown& refined = frame.shown.refinement;
+    map.set_fact("samples", fmt::format("{}/{}", refined.drawn, refined.draws));
     const Rect& viewport = frame.layout.viewport;
     map.set_fact("viewport", fmt::format("{} {} {} {}", viewport.x0, viewport.y0, viewport.width(),
                                          viewport.height()));

@@ -63,6 +63,7 @@ Settings read_settings(const fs::path& file) {
     read_number(json, "scale", 1.0, 2.5, settings.scale);
     read_flag(json, "shelf_open", settings.shelf_open);
     read_flag(json, "keep_previous", settings.keep_previous);
+    read_flag(json, "refine_when_idle", settings.refine_when_idle);
     if (const auto splitters = json.find("splitters");
         splitters != json.end() && splitters->is_object())
         for (const SplitterKey& each : kSplitters)
@@ -81,7 +82,8 @@ Status write_settings(const fs::path& file, const Settings& settings) {
                  {"window_height", settings.window_height},
                  {"scale", settings.scale},
                  {"shelf_open", settings.shelf_open},
-                 {"keep_previous", settings.keep_previous}};
+                 {"keep_previous", settings.keep_previous},
+                 {"refine_when_idle", settings.refine_when_idle}};
     for (const SplitterKey& each : kSplitters)
         json["splitters"][each.key] = settings.splitters.*each.member;
     return write_file_atomically(file, json.dump(2) + "\n");

@@ -18,6 +18,7 @@ struct Settings {
     Splitters splitters;
     bool shelf_open = true;
     bool keep_previous = true;  ///< SaveOptions::keep_previous
+    bool refine_when_idle = true;
     bool operator==(const Settings&) const = default;
 };
 

@@ -29,19 +29,22 @@ constexpr int kPollMs = 15;
 /// What a program finds around it beside what is here.
 struct Surroundings {
     std::string display;
-    std::string settings_folder;  ///< of this test alone
+    std::string settings_folder;  ///< and the cache, of this test alone
 };
 
 std::vector<std::string> environment_with(const Surroundings& around) {
     std::vector<std::string> result;
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view variable(*entry);
-        if (!variable.starts_with("DISPLAY=") && !variable.starts_with("XDG_CONFIG_HOME="))
+        if (!variable.starts_with("DISPLAY=") && !variable.starts_with("XDG_CONFIG_HOME=") &&
+            !variable.starts_with("XDG_CACHE_HOME="))
             result.emplace_back(variable);
     }
     if (!around.display.empty()) result.push_back("DISPLAY=" + around.display);
-    if (!around.settings_folder.empty())
+    if (!around.settings_folder.empty()) {
         result.push_back("XDG_CONFIG_HOME=" + around.settings_folder);
+        result.push_back("XDG_CACHE_HOME=" + around.settings_folder);
+    }
     return result;
 }
 
@@ -111,6 +114,19 @@ Display::~Display() {
     if (child_ <= 0) return;
     ::kill(child_, SIGTERM);
     end_status(child_);
+}
+
+Pixels model_part(const Pixels& all) {
+    const int left = all.width / 10;
+    const int top = 60;
+    const int bottom = 60;
+    if (all.height <= top + bottom) return {};
+    Pixels part{all.width - 2 * left, all.height - top - bottom, {}};
+    for (int y = 0; y < part.height; ++y) {
+        const auto row = all.rgb.begin() + ((y + top) * all.width + left) * 3;
+        part.rgb.insert(part.rgb.end(), row, row + part.width * 3);
+    }
+    return part;
 }
 
 double different_share(const Pixels& a, const Pixels& b, int tolerance) {

@@ -57,6 +57,9 @@ struct Pixels {
 /// The share of pixels whose channels differ by more than `tolerance`.
 double different_share(const Pixels& a, const Pixels& b, int tolerance = 2);
 
+/// The viewport without its corners: labels with times above, tools and gizmo at the sides.
+Pixels model_part(const Pixels& all);
+
 class Editor {
   public:
     Editor(const std::string& display, const std::filesystem::path& folder,

@@ -136,5 +136,36 @@ TEST_F(ViewTest, TwoViewsAndTheirDifferenceSayHowFarTheyAreApart) {
     EXPECT_EQ(editor.fact("edited"), "no");
 }
 
+TEST_F(ViewTest, ThePictureRefinesWhileNothingMovesAndStartsAgainAfterEveryChange) {
+    Editor editor(display_.name(), folder_,
+                  {"--window", "1280x720", "--scale", "1", "--refine", "20", sample().string()});
+    ASSERT_TRUE(open(editor));
+    const auto refined = [&] {
+        EXPECT_TRUE(editor.wait_fact("samples", "20/20"));
+        return model_part(editor.viewport());
+    };
+    const Pixels before = refined();
+    editor.key("bracketright");
+    ASSERT_TRUE(editor.settle());
+    EXPECT_GT(different_share(refined(), before), 0.0);
+    editor.key("bracketleft");
+    ASSERT_TRUE(editor.settle());
+    EXPECT_TRUE(refined() == before);
+    // A channel holds exact numbers.
+    editor.key("3");
+    ASSERT_TRUE(editor.wait_fact("samples", "0/0"));
+    editor.key("0");
+    EXPECT_TRUE(refined() == before);
+    // Switched off and on again.
+    ASSERT_TRUE(editor.click("Viewport bar", "Background and edges", "button"));
+    ASSERT_TRUE(editor.click("Viewport bar/Popup", "Refine when idle", "item"));
+    ASSERT_TRUE(editor.wait_fact("samples", "0/0"));
+    EXPECT_GT(different_share(model_part(editor.viewport()), before), 0.0);
+    ASSERT_TRUE(editor.click("Viewport bar", "Background and edges", "button"));
+    ASSERT_TRUE(editor.click("Viewport bar/Popup", "Refine when idle", "item"));
+    EXPECT_TRUE(refined() == before);
+    EXPECT_EQ(editor.fact("edited"), "no");
+}
+
 }  // namespace
 }  // namespace patina::editor_tests

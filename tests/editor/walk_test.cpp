@@ -48,20 +48,6 @@ std::map<std::string, std::string> files_in(
     return result;
 }
 
-/// The viewport without its corners: labels with times above, tools and gizmo at the sides.
-Pixels model_part(const Pixels& all) {
-    const int left = all.width / 10;
-    const int top = 60;
-    const int bottom = 60;
-    if (all.height <= top + bottom) return {};
-    Pixels part{all.width - 2 * left, all.height - top - bottom, {}};
-    for (int y = 0; y < part.height; ++y) {
-        const auto row = all.rgb.begin() + ((y + top) * all.width + left) * 3;
-        part.rgb.insert(part.rgb.end(), row, row + part.width * 3);
-    }
-    return part;
-}
-
 /// The columns from one share of the width to another.
 Pixels columns(const Pixels& all, double from, double to) {
     const int x0 = static_cast<int>(from * all.width);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "editor/panels/panels.h"
@@ -88,6 +90,8 @@ Requests draw_status_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState
     const NumberFormat ms{.decimals = 1, .unit = "ms"};
     draw_figure(ui, rest, "Composite", number_text(shown.cost.composite_ms, ms));
     draw_figure(ui, rest, "Frame", number_text(shown.cost.frame_ms, ms));
+    if (const RefinementShown& refined = shown.refinement; refined.draws > 0)
+        draw_figure(ui, rest, "Samples", fmt::format("{} / {}", refined.drawn, refined.draws));
     for (const JobShown& job : shown.jobs) {
         if (job.seconds < kShownAfterSeconds) {
             ui.wake_in(kShownAfterSeconds - job.seconds + 0.01);

@@ -133,9 +133,10 @@ Requests environment_combo(Ui& ui, const Rect& rect, bool wide, const Shown& sho
     return requests;
 }
 
-void background_menu(Ui& ui, render::View& view) {
+void background_menu(Ui& ui, ViewState& state) {
     PopupMenu menu(ui, "view menu", 190);
     if (!menu.open()) return;
+    render::View& view = state.view;
     menu.heading("Background");
     for (const auto& choice : render::kBackgrounds)
         if (menu.item({.label = choice.label,
@@ -148,6 +149,11 @@ void background_menu(Ui& ui, render::View& view) {
     const bool smooth = view.anti_aliasing == render::AntiAliasing::Fast;
     if (menu.item({.label = "Smooth edges", .ticked = smooth}))
         view.anti_aliasing = smooth ? render::AntiAliasing::None : render::AntiAliasing::Fast;
+    if (menu.item(
+            {.label = "Refine when idle",
+             .ticked = state.refine_when_idle,
+             .tooltip = "While nothing moves, averages ever more samples of edges and light"}))
+        state.refine_when_idle = !state.refine_when_idle;
 }
 
 }  // namespace
@@ -173,7 +179,7 @@ Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
         if (icon_button(ui, more, {.icon = icon::kEllipsis, .label = "Background and edges"}))
             ImGui::OpenPopup("view menu");
         place_popup(more, 0);
-        background_menu(ui, view);
+        background_menu(ui, state);
         rest.cut_right(ui.px(4));
     }
     // "PBR Neutral" would be cut off where there is little room.

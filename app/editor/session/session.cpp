@@ -13,7 +13,6 @@
 #include "core/log.h"
 #include "document/edits.h"
 #include "editor/session/thumbnail_materials.h"
-#include "render/environment.h"
 
 namespace patina::editor {
 namespace {
@@ -241,47 +240,6 @@ void Session::show_materials(const ViewState& view) {
     live_.show(std::move(materials), images_, view.material);
 }
 
-/// The first light as soon as there is one, the finished one when it is done.
-void Session::filter_environment(const EnvironmentSource& source, std::string label) {
-    const int generation = ++environment_generation_;
-    jobs_.start(
-        "Filtering " + label,
-        [this, source, generation](const Progress& progress) -> Jobs::Delivery {
-            const Result<ImagePtr> map = read_environment(source);
-            if (!map) return [this, error = map.error()] { report_job_failure(error); };
-            auto light = std::make_shared<Result<render::FilteredEnvironment>>(
-                render::filter_environment(**map, render::FilterQuality::First, progress));
-            return [this, light, map = *map, generation] {
-                if (generation != environment_generation_) return;
-                if (!*light) return report_job_failure(light->error());
-                picture_.set_environment(**light);
-                jobs_.start("Filtering the environment", [this, map,
-                                                          generation](const Progress& finer) {
-                    auto finished = std::make_shared<Result<render::FilteredEnvironment>>(
-                        render::filter_environment(*map, render::FilterQuality::Finished, finer));
-                    return [this, finished, generation] {
-                        if (generation == environment_generation_ && *finished)
-                            picture_.set_environment(**finished);
-                    };
-                });
-            };
-        });
-}
-
-/// The studio lights what names no environment that may be read.
-void Session::light_with(const std::string& name) {
-    environment_name_ = name;
-    const Result<EnvironmentSource> source = environments_.find(name);
-    if (source) return filter_environment(*source, Environments::label_of(name));
-    toast(ToastKind::Error, source.error().message);
-    filter_environment({.builtin = "studio"}, "Studio");
-}
-
-void Session::follow_environment() {
-    const std::string& name = history_->document()->environment.name;
-    if (name != environment_name_) light_with(name);
-}
-
 /// Numbers about what is compared, when someone looks at them and nothing moves.
 void Session::follow_comparison(ViewState& view, bool moving) {
     const bool looked_at =
@@ -341,6 +299,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         drawn.lights = now.lights;
         drawn.environment_rotation_degrees = now.environment.rotation_degrees;
         drawn.environment_intensity = now.environment.intensity;
+        picture_.set_refining_draws(input.refining_draws);
         if (picture_.draw(drawn, input.viewport, input.strip_card, input.moving))
             frame_ms_ = picture_.frame_ms();
         if (picture_.out_of_date()) wants_frame_ = true;
@@ -350,6 +309,13 @@ void Session::update(ViewState& view, const FrameInput& input) {
     }
     draw_still();
     if (thumbnails_.finish_some(input.moving)) wants_frame_ = true;
+    // Last: what has been asked for comes first.
+    if (input.resting && !input.moving && refining()) picture_.refine();
+}
+
+bool Session::refining() const {
+    const RefinementShown refinement = picture_.refinement();
+    return history_ && refinement.drawn < refinement.draws && settled();
 }
 
 Shown Session::shown(const ViewState& view) {
@@ -383,6 +349,7 @@ Shown Session::shown(const ViewState& view) {
                      .bytes = history_->bytes(),
                      .can_undo = history_->can_undo(),
                      .can_redo = history_->can_redo()};
+    shown.refinement = picture_.refinement();
     // The renderer's pictures have their first row at the bottom.
     shown.viewport = {reinterpret_cast<ImTextureID>(picture_.texture()), ImVec2(0, 1),
                       ImVec2(1, 0)};

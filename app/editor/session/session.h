@@ -87,11 +87,15 @@ class Session {
         render::PictureSize strip_card;
         std::optional<glm::vec2> hovered;  ///< with the eyedropper, in shares of the picture
         bool moving = false;               ///< a drag is under way: speed before sharpness
+        int refining_draws = 0;  ///< that the picture shall be the mean of; 0: of the one it is
+        bool resting = false;    ///< the hand is off: there is time to refine
     };
     void update(ViewState& view, const FrameInput& input);
     Shown shown(const ViewState& view);
-    /// Nothing is under way: what is on screen is final.
+    /// Nothing is under way: what is on screen is what was asked for. It may still be refined.
     bool settled() const;
+    /// All else is settled, and another draw would refine the picture while the hand rests.
+    bool refining() const;
     bool working() const { return jobs_.running(); }
     bool wants_frame() const { return wants_frame_; }
 
@@ -118,6 +122,8 @@ class Session {
     void follow_environment();
     void light_with(const std::string& name);
     void filter_environment(const EnvironmentSource& source, std::string label);
+    void finish_environment(const ImagePtr& map, int generation);
+    Jobs::Delivery light_delivery(render::FilteredEnvironment light, int generation);
     void follow_texel(const ViewState& view);
     void follow_crosshair(ViewState& view, float aspect) const;
     void draw_still();

@@ -64,7 +64,7 @@ bool ViewportPicture::draw(const render::View& view, render::PictureSize size,
         half ? render::PictureSize{std::max(size.width / 2, 1), std::max(size.height / 2, 1)}
              : size;
     bool drew = false;
-    const bool stale = scene_changed_ || !drawn_ || *drawn_ != view ||
+    const bool stale = scene_changed_ || unrefined_wanted_ || !drawn_ || *drawn_ != view ||
                        (drawn_size_ != wanted && !(half && drawn_size_ == size));
     if (stale) {
         const auto begun = std::chrono::steady_clock::now();
@@ -81,6 +81,8 @@ bool ViewportPicture::draw(const render::View& view, render::PictureSize size,
         drawn_ = view;
         drawn_size_ = wanted;
         scene_changed_ = false;
+        unrefined_wanted_ = false;
+        refinement_.reset();
         ++pictures_drawn_;
         drew = true;
     }
@@ -100,6 +102,31 @@ bool ViewportPicture::draw(const render::View& view, render::PictureSize size,
         drew = true;
     }
     return drew;
+}
+
+void ViewportPicture::set_refining_draws(int draws) {
+    if (draws == refining_draws_) return;
+    refining_draws_ = draws;
+    // What is on screen is of more draws than wanted, or of some that another count has laid out.
+    if (refinement_) unrefined_wanted_ = true;
+    refinement_.reset();
+}
+
+void ViewportPicture::refine() {
+    const RefinementShown now = refinement();
+    if (out_of_date() || now.drawn >= now.draws) return;
+    if (!refinement_)
+        refinement_ = render::Refinement{.view = *drawn_, .size = drawn_size_, .draws = now.draws};
+    if (const Status drawn = renderer_.refine(*refinement_); !drawn) {
+        report(drawn.error());
+        refinement_->drawn = refinement_->draws;  // given up until something changes
+    }
+}
+
+RefinementShown ViewportPicture::refinement() const {
+    if (!drawn_) return {};
+    return {.drawn = refinement_ ? refinement_->drawn : 0,
+            .draws = render::refining_draws(*drawn_, refining_draws_)};
 }
 
 render::Pixel ViewportPicture::pixel(glm::vec2 at) const {

@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "editor/session/live_materials.h"
+#include "editor/state/shown.h"
 #include "render/difference_stats.h"
 #include "render/renderer.h"
 
@@ -27,6 +28,14 @@ class ViewportPicture {
               bool moving);
     /// What draw() would still have to do if nothing moved.
     bool out_of_date() const { return !sharp_ || !strip_drawn_; }
+
+    /// Says how many draws the picture shall be the mean of, 0 for the one of draw(): what refine()
+    /// works towards from now on.
+    void set_refining_draws(int draws);
+    /// One more draw, where there is something left to refine.
+    void refine();
+    /// How far that is, of what is drawn now: 0 of 0 where nothing is refined.
+    RefinementShown refinement() const;
 
     const render::FrameStats& stats() const { return stats_; }
     double frame_ms() const { return frame_ms_; }
@@ -61,6 +70,9 @@ class ViewportPicture {
     bool sharp_ = false;  ///< drawn at full size
     bool strip_drawn_ = false;
     bool strip_drawn_once_ = false;
+    int refining_draws_ = 0;
+    std::optional<render::Refinement> refinement_;  ///< of what is drawn; unset: not begun
+    bool unrefined_wanted_ = false;                 ///< a refined picture is on screen
     render::FrameStats stats_;
     double frame_ms_ = 0.0;
     int pictures_drawn_ = 0;

@@ -74,6 +74,12 @@ struct CostShown {
     render::FrameStats frame;
 };
 
+/// How far the picture of the viewport has been refined since something changed.
+struct RefinementShown {
+    int drawn = 0;
+    int draws = 0;  ///< when it is finished; 0: it is not refined
+};
+
 /// What is known of the texel under the crosshair.
 struct TexelShown {
     render::Probe probe;
@@ -105,6 +111,7 @@ struct Shown {
     std::span<const Preset* const> presets;
     std::span<const EnvironmentShown> environments;
     CostShown cost;
+    RefinementShown refinement;
     Picture viewport;
     Picture strip;
     std::optional<TexelShown> texel;  ///< under the crosshair

@@ -78,6 +78,7 @@ struct ViewState {
     Splitters splitters;
     Unfolded unfolded;
     bool panels_hidden = false;
+    bool refine_when_idle = true;
     std::string shelf_search;
     std::string shelf_category;  ///< empty: all
     std::optional<std::string> layer_search;
