@@ -2,6 +2,8 @@
 #ifndef SHARED_HEIGHT_GLSL
 #define SHARED_HEIGHT_GLSL
 
+#include "shared/mask.glsl"
+
 // Heights: signed, 0 is the surface, unclamped; and the normals that they bend.
 
 /// Signed add. Commutative; 0 is neutral.
@@ -22,6 +24,20 @@ Real height_min(Real backdrop, Real source) {
 /// What lies below less the source. 0 is neutral.
 Real height_subtract(Real backdrop, Real source) {
     return backdrop - source;
+}
+
+/// Which share of a surface a layer of height `source` has, where it lies among what has height
+/// `backdrop`: 0.5 where they are level, 1 (or 0) where the layer is higher (lower) by the radius or
+/// more. Rises with the layer; the shares of two layers that change places add up to 1.
+/// offset: added to the layer's height; radius, contrast: 0..1, the latter of the share about 0.5.
+/// Andrey Mishkinis, "Advanced Terrain Texture Splatting", 2013, its blend of two layers by depth:
+/// each counts by how far it reaches above the higher one less the depth, which is the radius here.
+Real height_share(Real backdrop, Real source, float offset, float radius, float contrast) {
+    float depth = max(radius, 1e-6f);
+    Real lead = source + offset - backdrop;
+    Real own = clamp(lead + depth, 0.0f, depth);
+    Real other = clamp(depth - lead, 0.0f, depth);
+    return contrasted(own / (own + other), contrast, 0.5f);
 }
 
 /// Slope per texel across three columns of three heights, of which the outer two are given:

@@ -12,6 +12,7 @@
 #undef SHARED_HEAT_MAP_GLSL
 #undef SHARED_HEIGHT_GLSL
 #undef SHARED_MASK_GLSL
+#undef SHARED_NEIGHBOURHOOD_GLSL
 #undef SHARED_NOISE_GLSL
 #undef SHARED_NORMAL_BLEND_GLSL
 #undef SHARED_PATTERN_GLSL
@@ -30,6 +31,7 @@
 #include "shared/heat_map.glsl"
 #include "shared/height.glsl"
 #include "shared/mask.glsl"
+#include "shared/neighbourhood.glsl"
 #include "shared/noise.glsl"
 #include "shared/normal_blend.glsl"
 #include "shared/pattern.glsl"

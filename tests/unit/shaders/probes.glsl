@@ -15,6 +15,7 @@
 #include "shared/heat_map.glsl"
 #include "shared/height.glsl"
 #include "shared/mask.glsl"
+#include "shared/neighbourhood.glsl"
 #include "shared/noise.glsl"
 #include "shared/normal_blend.glsl"
 #include "shared/pattern.glsl"
@@ -239,6 +240,18 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
                  point.y + table.light.z, prefiltered_roughness(level) + level);
 }
 
+Real4 probe_heights(Real4 a, Real4 b) {
+    return Real4(height_share(a.x, b.x, 0.0f, 0.3f, 0.0f),
+                 height_share(a.y, b.y, -0.2f, 0.5f, 0.6f),
+                 height_share(a.z, b.z, 0.1f, 1.0f, 0.3f), height_share(a.w, b.w, 0.0f, 0.1f, 0.5f));
+}
+
+Real4 probe_neighbourhood(Real4 a, Real4 b) {
+    Real2 direction = warp_direction(Real2(a.z * 8.0f, b.z * 8.0f), 8, 7u, 2, 0.05f);
+    return Real4(blur_weight(a.x * 8.0f, 6.0f), sharpened(a.y, b.y, 1.5f), direction.x,
+                 direction.y);
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -250,6 +263,8 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 42) return probe_phong(which - 35, a, b);
     if (which < 46) return probe_environment(which - 42, a, b);
     if (which < 48) return probe_adjust(which - 46, a);
+    if (which == 48) return probe_heights(a, b);
+    if (which == 49) return probe_neighbourhood(a, b);
     return Real4(-1.0f);
 }
 

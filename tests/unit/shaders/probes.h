@@ -66,6 +66,8 @@ inline constexpr Probe kProbes[] = {
     {"sample_ggx_visible_half_vector, ggx_visible_density", 3e-4f},
     {"curve_value, brightened, posterised", 4e-6f},
     {"hue_saturation", 8e-6f},
+    {"height_share", 2e-5f},
+    {"blur_weight, sharpened, warp_direction", 1e-5f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 
