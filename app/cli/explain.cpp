@@ -19,7 +19,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFooter =
     "Runs the program that bakes, for one texel: what is printed is exact. The lowest layer "
     "stands\n"
-    "first. Colours are linear light; weight is opacity x channel opacity x mask x coverage.\n"
+    "first. Colours are linear light; weight is opacity x channel opacity x mask x coverage. The "
+    "mask\n"
+    "has in it what heights decide of a layer that blends by height.\n"
     "\n"
     "Examples:\n"
     "  patina explain rusty.glb --material Ball --uv 0.25,0.5\n"

@@ -58,11 +58,17 @@ std::vector<std::string_view> channels_of(const Layer& layer) {
 }
 
 Json to_json(const Layer& layer) {
-    Json json = {{"id", layer.id.value},        {"name", layer.name},
-                 {"kind", kind_of(layer)},      {"visible", layer.visible},
-                 {"locked", layer.locked},      {"opacity", layer.opacity},
-                 {"mode", info(layer.mode).id}, {"mask_entries", layer.mask.entries.size()},
-                 {"clipped", layer.clipped},    {"channels", channels_of(layer)}};
+    Json json = {{"id", layer.id.value},
+                 {"name", layer.name},
+                 {"kind", kind_of(layer)},
+                 {"visible", layer.visible},
+                 {"locked", layer.locked},
+                 {"opacity", layer.opacity},
+                 {"mode", info(layer.mode).id},
+                 {"mask_entries", layer.mask.entries.size()},
+                 {"clipped", layer.clipped},
+                 {"channels", channels_of(layer)},
+                 {"height_blend", layer.height_blend.enabled}};
     if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
         json["adjustment"] = choice(content->adjustment.kind).id;
     if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
@@ -113,6 +119,7 @@ std::string described(const Layer& layer) {
         text += fmt::format(", {}", choice(content->adjustment.kind).label);
     if (layer.clipped) text += ", clipped";
     if (layer.mode != BlendMode::Normal) text += fmt::format(", {}", info(layer.mode).label);
+    if (layer.height_blend.enabled) text += ", by height";
     if (layer.opacity != 1.0f) text += fmt::format(", {:.0f} %", 100.0f * layer.opacity);
     if (!layer.mask.entries.empty()) text += fmt::format(", mask of {}", layer.mask.entries.size());
     if (!layer.visible) text += ", hidden";

@@ -134,6 +134,10 @@ void adjust_by_kind(const AdjustNumbers& n, const float* const* from, float* con
         case AdjustmentKind::Posterise:
         case AdjustmentKind::Clamp:
             return adjust_simply(n, from, to, planes, count, height);
+        case AdjustmentKind::Blur:
+        case AdjustmentKind::Sharpen:
+        case AdjustmentKind::Warp:
+            return;  // composite/around.h
     }
 }
 

@@ -27,12 +27,13 @@ struct AdjustNumbers {
 
 struct AdjustTask {
     const AdjustmentSettings* adjustment = nullptr;
-    Channel channel = Channel::BaseColor;  ///< not Normal
+    Channel channel = Channel::BaseColor;  ///< Normal only of those that look around
     bool encoded = false;                  ///< colours are sRGB-encoded
     int count = 0;
     const float* from[3] = {};  ///< component_count(channel) planes
     float* to[3] = {};
 };
+/// Any but those that look around.
 void run_adjustment(const AdjustTask& task);
 
 }  // namespace patina

@@ -47,13 +47,14 @@ void for_each_span(std::int64_t first_row, std::int64_t last_row, int size, cons
 
 class ChannelBaker {
   public:
-    ChannelBaker(const ProgramData& program, const BoundImages& images, ChannelBits wanted,
-                 ChannelPlanes& out)
-        : program_(program), images_(images), wanted_(wanted), out_(out) {}
+    ChannelBaker(const ProgramData& program, const BoundImages& images, const AroundList& around,
+                 ChannelBits wanted, ChannelPlanes& out)
+        : program_(program), images_(images), around_(around), wanted_(wanted), out_(out) {}
 
     void bake_rows(std::int64_t first, std::int64_t last) {
         TilePlanes planes(program_.depths);
-        const TileRun run{.program = &program_, .images = &images_, .wanted = wanted_};
+        const TileRun run{
+            .program = &program_, .images = &images_, .wanted = wanted_, .around = &around_};
         for_each_span(first, last, out_.size, [&](const TileSpan& span) {
             run_tile(run, span, planes);
             for (const ChannelInfo& entry : kChannels)
@@ -122,6 +123,7 @@ class ChannelBaker {
 
     const ProgramData& program_;
     const BoundImages& images_;
+    const AroundList& around_;
     ChannelBits wanted_;
     ChannelPlanes& out_;
 };
@@ -142,6 +144,7 @@ Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& image
     const bool relief = (channels & channel_bit(Channel::Normal)) != 0 &&
                         (program.data().touched & channel_bit(Channel::Height)) != 0;
     if (relief) channels |= channel_bit(Channel::Height);
+    channels = program.data().with_needed(channels);
     const Result<BoundImages> bound = images_for_bake(program.data(), channels, size, images);
     if (!bound) return passed_on(bound);
 
@@ -152,7 +155,13 @@ Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& image
             for (int k = 0; k < component_count(entry.channel); ++k)
                 out.planes[static_cast<std::size_t>(entry.channel)][static_cast<std::size_t>(k)]
                     .resize(row_start(size, size));
-    ChannelBaker baker(program.data(), *bound, channels, out);
+    const AroundList around = prepared_around({.program = &program.data(),
+                                               .images = &*bound,
+                                               .wanted = channels,
+                                               .size = size,
+                                               .rect = {0, 0, size, size}},
+                                              progress);
+    ChannelBaker baker(program.data(), *bound, around, channels, out);
     const auto over_rows = [&](auto step) {
         parallel_for(0, size, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
             if (!progress.cancelled()) step(first, last);

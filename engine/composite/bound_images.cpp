@@ -21,13 +21,23 @@ ImagePtr placeholder_image() {
     return image;
 }
 
+/// The index of the source that an operation reads; -1 where it reads none.
+std::int32_t source_read_by(const ProgramData& program, const Operation& operation) {
+    if (operation.code == OpCode::Blend || operation.code == OpCode::MaskEntry)
+        return operation.source;
+    if (operation.code == OpCode::MaskHeight)
+        return program.height_blends[static_cast<std::size_t>(operation.source)].source;
+    return -1;
+}
+
 /// Bits, one for each image, of those that an operation on `wanted` reads.
 std::vector<bool> needed_images(const ProgramData& program, ChannelBits wanted) {
     std::vector<bool> needed(program.images.size(), false);
     for (const Operation& operation : program.operations) {
         if ((operation.channels & wanted) == 0) continue;
-        if (operation.code != OpCode::Blend && operation.code != OpCode::MaskEntry) continue;
-        const int image = program.sources[static_cast<std::size_t>(operation.source)].image;
+        const std::int32_t source = source_read_by(program, operation);
+        if (source < 0) continue;
+        const int image = program.sources[static_cast<std::size_t>(source)].image;
         if (image >= 0) needed[static_cast<std::size_t>(image)] = true;
     }
     return needed;
@@ -82,6 +92,7 @@ BoundImage bound_image(const SourceRecord& record, const Hash128& hash, const Im
 
 BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size,
                         ImageProvider& images, MissingImages missing, ReducedImages& reduced) {
+    wanted = program.with_needed(wanted);
     BoundImages bound;
     const auto fetched = fetched_images(program, wanted, images, missing);
     for (const auto& image : fetched)

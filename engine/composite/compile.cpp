@@ -35,6 +35,8 @@ class Emitter {
     void emit_layer(const LayerTerms& terms, int depth, StackState& state);
     void emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state);
     std::int32_t emit_masks(const LayerTerms& terms, const Operation& like);
+    void note_looking_around(const LayerTerms& terms, int depth);
+    void emit_height(const LayerTerms& terms, Operation like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
     void emit_blend(const Contribution& contribution, Channel channel, Operation like,
                     const StackState& state, const StackState& children);
@@ -99,9 +101,12 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     if (!terms.children.empty()) {
         Operation begin = like;
         begin.code = terms.pass_through ? OpCode::GroupCopy : OpCode::GroupBegin;
+        begin.channels = terms.run_bits();
         program_.operations.push_back(begin);
         children = emit_stack(terms.children, depth + 1, terms.pass_through ? &state : nullptr);
     }
+    if (terms.height_blend != nullptr) emit_height(terms, like);
+    note_looking_around(terms, depth);
     for (const ChannelInfo& entry : kChannels) {
         const auto& contribution = at(terms.channels, entry.channel);
         if (!contribution) continue;
@@ -130,10 +135,17 @@ void Emitter::emit_recoding(const LayerTerms& terms, const Operation& like, Stac
     }
 }
 
-/// The mask of the layer times that of what it is clipped to. Returns what emit_mask does, of the
-/// last one; -1 where there is none.
+/// The mask of the layer times that of what it is clipped to; 1 where there is none and heights
+/// make one. Returns what emit_mask does, of the last one; -1 where there is none.
 std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like) {
-    if (!terms.mask.varies()) return terms.clip.varies() ? emit_mask(terms.clip, like) : -1;
+    if (!terms.mask.varies() && !terms.clip.varies()) {
+        if (terms.height_blend == nullptr) return -1;
+        Operation begin = like;
+        begin.code = OpCode::MaskBegin;
+        program_.operations.push_back(begin);
+        return -1;
+    }
+    if (!terms.mask.varies()) return emit_mask(terms.clip, like);
     if (!terms.clip.varies()) return emit_mask(terms.mask, like);
     emit_mask(terms.clip, like);
     program_.operations.back().jump = here();  // past it: a mask alone is nothing to leave out
@@ -144,6 +156,26 @@ std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like)
     step.code = OpCode::MaskClip;
     program_.operations.push_back(step);
     return end;
+}
+
+/// Notes a layer whose operations, which follow, look around.
+void Emitter::note_looking_around(const LayerTerms& terms, int depth) {
+    const auto* const content = std::get_if<AdjustmentContent>(&terms.layer->content);
+    if (content == nullptr || !looks_around(content->adjustment.kind)) return;
+    program_.around.push_back({.begin = here(),
+                               .adjustment = static_cast<std::int32_t>(program_.adjustments.size()),
+                               .depth = static_cast<std::uint8_t>(depth),
+                               .channels = terms.channel_bits()});
+}
+
+/// Before anything of the layer is laid on, its heights included.
+void Emitter::emit_height(const LayerTerms& terms, Operation like) {
+    HeightBlendRecord record{.blend = *terms.height_blend, .of_children = !terms.children.empty()};
+    if (terms.height != nullptr) record.source = add_source(*terms.height, Reading::Height);
+    like.code = OpCode::MaskHeight;
+    like.source = static_cast<std::int32_t>(program_.height_blends.size());
+    program_.height_blends.push_back(record);
+    program_.operations.push_back(like);
 }
 
 /// Returns the index of the MaskEnd, whose jump is set when the layer is complete.
@@ -193,6 +225,8 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
     if (contribution.adjustment != nullptr) {
         like.code = OpCode::Adjust;
         like.source = static_cast<std::int32_t>(program_.adjustments.size());
+        const bool around = looks_around(contribution.adjustment->kind);
+        like.jump = around ? static_cast<std::int32_t>(program_.around.size()) - 1 : -1;
         program_.adjustments.push_back(*contribution.adjustment);
     } else if (contribution.source != nullptr) {
         like.code = OpCode::Blend;
@@ -240,6 +274,8 @@ Hash128 channel_hash(const StackTerms& terms, Channel channel) {
     hasher.add(channel);
     for (const LayerTerms* layer : layers_of_channel(terms, channel))
         hasher.add(layer_hash(*layer, channel_bit(channel)));
+    const bool led = (led_by_height(terms) & channel_bit(channel)) != 0;
+    if (led && channel != Channel::Height) hasher.add(channel_hash(terms, Channel::Height));
     return hasher.finish();
 }
 
@@ -275,6 +311,7 @@ ProgramData compile_material(const Material& material, CoveredLayers covered) {
     const StackState top = Emitter(program).emit_stack(terms, 0);
     program.top_encoded = top.touched & top.encoded & kColorChannels;
     program.touched = top.touched;
+    program.led_by_height = led_by_height(terms);
     for (const ChannelInfo& entry : kChannels)
         at(program.channel_hashes, entry.channel) = channel_hash(terms, entry.channel);
     for (int slot = 0; slot < kSlotCount; ++slot)

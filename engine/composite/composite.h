@@ -64,8 +64,8 @@ class LiveComposite {
     /// decoded show as a grey checker and are named in the log once.
     Result<Update> update(const Program& program, ImageProvider& images, int size,
                           const Progress& progress = {});
-    /// The same where the caller knows that texels outside `within` are as after the last update
-    /// (a brush stroke); only those inside are composited.
+    /// The same where the caller knows that what is outside `within` is as at the last update (a
+    /// brush stroke); only what is inside is composited, and as far around as adjustments reach.
     Result<Update> update_within(const TexelRect& within, const Program& program,
                                  ImageProvider& images, int size, const Progress& progress = {});
     /// The result of the last update; empty after one that was cancelled. Pixels that someone else
@@ -86,7 +86,7 @@ struct ExplainStep {
     int depth = 0;  ///< in groups
     BlendMode mode = BlendMode::Normal;
     glm::vec3 source = glm::vec3(0.0f);  ///< the layer's own value
-    float mask = 1.0f;
+    float mask = 1.0f;                   ///< times the share of a layer that blends by height
     float weight = 0.0f;                 ///< opacity x channel opacity x mask x coverage
     glm::vec3 result = glm::vec3(0.0f);  ///< after the layer
 };

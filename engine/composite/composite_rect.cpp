@@ -21,7 +21,8 @@ int wrapped(int index, int size) {
 /// Composites rows of a rectangle, one after the other.
 class RowCompositor {
   public:
-    RowCompositor(const CompositeJob& job, ChannelBits wanted, bool relief);
+    RowCompositor(const CompositeJob& job, const AroundList& around, ChannelBits wanted,
+                  bool relief);
     void composite_row(int y);
 
   private:
@@ -46,11 +47,18 @@ class RowCompositor {
     int next_height_row_;
 };
 
-RowCompositor::RowCompositor(const CompositeJob& job, ChannelBits wanted, bool relief)
+RowCompositor::RowCompositor(const CompositeJob& job, const AroundList& around, ChannelBits wanted,
+                             bool relief)
     : job_(job),
-      run_{.program = job.program, .images = job.images, .wanted = wanted, .caches = job.caches},
-      height_run_{
-          .program = job.program, .images = job.images, .wanted = channel_bit(Channel::Height)},
+      run_{.program = job.program,
+           .images = job.images,
+           .wanted = wanted,
+           .caches = job.caches,
+           .around = &around},
+      height_run_{.program = job.program,
+                  .images = job.images,
+                  .wanted = channel_bit(Channel::Height),
+                  .around = &around},
       planes_(job.program->depths),
       relief_(relief),
       next_height_row_(-2) {
@@ -190,11 +198,20 @@ bool composite_rect(const CompositeJob& job, const Progress& progress) {
     const bool stores = std::any_of(job.caches.begin(), job.caches.end(),
                                     [](const CachePoint& point) { return !point.read; });
     if (!stores) wanted &= static_cast<ChannelBits>(~channel_bit(Channel::Height));
+    wanted = job.program->with_needed(wanted);
+    const ChannelBits heights = relief ? channel_bit(Channel::Height) : ChannelBits{0};
+    const AroundList around = prepared_around({.program = job.program,
+                                               .images = job.images,
+                                               .caches = job.caches,
+                                               .wanted = static_cast<ChannelBits>(wanted | heights),
+                                               .size = job.size,
+                                               .rect = job.rect},
+                                              progress);
     const int rows = job.rect.y1 - job.rect.y0;
     std::atomic<int> rows_done = 0;
     parallel_for(job.rect.y0, job.rect.y1, kRowsPerTask, [&](std::int64_t y0, std::int64_t y1) {
         if (progress.cancelled()) return;
-        RowCompositor compositor(job, wanted, relief);
+        RowCompositor compositor(job, around, wanted, relief);
         for (int y = static_cast<int>(y0); y < y1; ++y) compositor.composite_row(y);
         rows_done += static_cast<int>(y1 - y0);
         progress.report(static_cast<float>(rows_done) / static_cast<float>(rows));

@@ -42,16 +42,25 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material, ImagePr
     if (!bound.failures.empty()) return failure("{}", bound.failures.front());
 
     std::vector<ExplainStep> steps;
+    const AroundList around = prepared_around({.program = &program,
+                                               .images = &bound,
+                                               .wanted = channel_bit(channel),
+                                               .size = size,
+                                               .rect = {x, y, x + 1, y + 1}},
+                                              {});
     TilePlanes planes(program.depths);
     const TileRun run{.program = &program,
                       .images = &bound,
-                      .wanted = channel_bit(channel),
-                      .observer = [&](const Operation& operation, const FetchedSource& source,
-                                      float weight, float mask, TilePlanes& tile) {
-                          steps.push_back(step_of(program, operation, source, tile));
-                          steps.back().weight = weight;
-                          steps.back().mask = mask;
-                      }};
+                      .wanted = program.with_needed(channel_bit(channel)),
+                      .observer =
+                          [&](const Operation& operation, const FetchedSource& source, float weight,
+                              float mask, TilePlanes& tile) {
+                              if (operation.channel != channel) return;
+                              steps.push_back(step_of(program, operation, source, tile));
+                              steps.back().weight = weight;
+                              steps.back().mask = mask;
+                          },
+                      .around = &around};
     run_tile(run, {.x = x, .y = y, .count = 1, .size = size}, planes);
     return steps;
 }

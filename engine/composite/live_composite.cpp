@@ -35,6 +35,22 @@ Hash128 availability_hash(const BoundImages& images) {
     return hasher.finish();
 }
 
+/// With `reach` texels more on every side; the whole side where that is beyond the border, past
+/// which the other end of the map has changed.
+TexelRect widened(TexelRect rect, int reach, int size) {
+    const auto widen = [&](int& first, int& last) {
+        first -= reach;
+        last += reach;
+        if (first >= 0 && last <= size) return;
+        first = 0;
+        last = size;
+    };
+    if (reach == 0) return rect;
+    widen(rect.x0, rect.x1);
+    widen(rect.y0, rect.y1);
+    return rect;
+}
+
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
@@ -157,11 +173,12 @@ Result<LiveComposite::Update> LiveComposite::update_within(const TexelRect& with
     const TexelRect whole{0, 0, size, size};
     ChannelBits wanted = 0;
     CompositeJob job{.program = &data, .images = &bound, .size = size};
-    job.rect = fresh ? whole : within;
+    job.rect = fresh ? whole : widened(within, reach_of(data, size), size);
     for (const BakedMap map : update.changed_maps) {
         if (state.maps[map] == nullptr) job.rect = whole;
         wanted |= channels_of(map);
     }
+    wanted = data.with_needed(wanted);
     for (const BakedMap map : update.changed_maps)
         job.targets[static_cast<std::size_t>(map)] = state.writable(map, size);
 

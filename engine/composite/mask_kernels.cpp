@@ -87,6 +87,20 @@ HWY_FLATTEN bool finish(float* mask, bool invert, int count) {
     return !hn::AllTrue(formulae::RealLanes(), (most <= 0.0f).mask);
 }
 
+HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
+    return load(plane.data + i * plane.step);
+}
+
+HWY_FLATTEN void share_by_height(const HeightShareTask& task) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
+        const Real below = load(task.below, i) * load(task.below_coverage, i);
+        const Real own = load(task.own, i) * load(task.own_coverage, i);
+        const Real share = formulae::height_share(below, own, task.blend.offset, task.blend.radius,
+                                                  task.blend.contrast);
+        store(load(task.mask + i) * share, task.mask + i);
+    }
+}
+
 HWY_FLATTEN void fill(float* plane, float value, int count) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count())
         store(Real(value), plane + i);
@@ -107,6 +121,7 @@ namespace patina {
 
 HWY_EXPORT(join_by_combine);
 HWY_EXPORT(finish);
+HWY_EXPORT(share_by_height);
 HWY_EXPORT(fill);
 HWY_EXPORT(copy);
 
@@ -116,6 +131,10 @@ void join_mask_tile(const MaskTask& task) {
 
 bool finish_mask_tile(float* mask, bool invert, int count) {
     return HWY_DYNAMIC_DISPATCH(finish)(mask, invert, count);
+}
+
+void share_by_height_tile(const HeightShareTask& task) {
+    HWY_DYNAMIC_DISPATCH(share_by_height)(task);
 }
 
 void fill_tile(float* plane, float value, int count) {

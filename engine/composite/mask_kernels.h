@@ -24,6 +24,19 @@ void join_mask_tile(const MaskTask& task);
 /// more than 0.
 bool finish_mask_tile(float* mask, bool invert, int count);
 
+/// Where the heights of a layer and of what lies below it are, and how they decide.
+struct HeightShareTask {
+    float* mask = nullptr;
+    ReadPlane below = {};
+    ReadPlane below_coverage = {};  ///< heights count by what covers: 0 is the surface
+    ReadPlane own = {};
+    ReadPlane own_coverage = {};
+    HeightBlend blend = {};
+    int count = 0;
+};
+/// Multiplies the mask by the layer's share.
+void share_by_height_tile(const HeightShareTask& task);
+
 void fill_tile(float* plane, float value, int count);
 void copy_tile(const float* from, float* to, int count);
 

@@ -41,6 +41,8 @@ enum class OpCode : std::uint8_t {
     MaskEntry,
     /// Clamps the mask (and inverts it); where it is 0 in a whole tile, goes on at `jump`.
     MaskEnd,
+    /// Multiplies the finished mask of this depth by the share that its height gives the layer.
+    MaskHeight,
     /// Recodes the accumulated colour of `channel` for the blend space of the layer to come.
     ToEncoded,
     ToLinear,
@@ -85,10 +87,11 @@ struct Operation {
     Channel channel = Channel::BaseColor;
     BlendMode mode = BlendMode::Normal;
     MaskCombine combine = MaskCombine::Multiply;
-    float amount = 1.0f;      ///< weight of a blend, opacity of an entry, value of MaskBegin
-    std::int32_t source = 0;  ///< index into ProgramData::sources; Adjust: into adjustments
-    std::int32_t jump = 0;    ///< index of an operation
-    std::int32_t layer = 0;   ///< index into ProgramData::layers
+    float amount = 1.0f;  ///< weight of a blend, opacity of an entry, value of MaskBegin
+    /// Index into ProgramData::sources; Adjust: into adjustments; MaskHeight: into height_blends.
+    std::int32_t source = 0;
+    std::int32_t jump = 0;   ///< index of an operation; Adjust: into around, or -1
+    std::int32_t layer = 0;  ///< index into ProgramData::layers
 };
 
 /// What a source is read as. Colours and scalars are held to 0..1, whatever an image has beyond;
@@ -110,6 +113,24 @@ struct SourceRecord {
     /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.
     glm::vec3 to_u = glm::vec3(1.0f, 0.0f, 0.0f);
     glm::vec3 to_v = glm::vec3(0.0f, 1.0f, 0.0f);
+};
+
+/// How heights decide about a layer.
+struct HeightBlendRecord {
+    HeightBlend blend = {};
+    /// Index into ProgramData::sources of the layer's height; -1: 0, the surface; of a group
+    /// unused.
+    std::int32_t source = -1;
+    bool of_children = false;  ///< the layer's height is what the next depth accumulated
+};
+
+/// A layer whose adjustment looks around (composite/around.h).
+struct AroundRecord {
+    /// Its first Adjust: what the operations before it leave is what it reads.
+    std::int32_t begin = 0;
+    std::int32_t adjustment = 0;  ///< index into ProgramData::adjustments
+    std::uint8_t depth = 0;
+    ChannelBits channels = 0;
 };
 
 /// Whose operations they are, for `explain` and for messages.
@@ -135,6 +156,8 @@ struct ProgramData {
     std::vector<SourceRecord> sources;
     std::vector<Levels> levels;
     std::vector<AdjustmentSettings> adjustments;
+    std::vector<HeightBlendRecord> height_blends;
+    std::vector<AroundRecord> around;  ///< in the order in which they are reached
     std::vector<Hash128> images;
     std::vector<LayerRecord> layers;
     std::vector<Checkpoint> checkpoints;  ///< in the order in which they are reached
@@ -143,10 +166,18 @@ struct ProgramData {
     ChannelBits bottom_encoded = 0;
     ChannelBits top_encoded = 0;  ///< colours that are sRGB-encoded in the end
     ChannelBits touched = 0;      ///< channels that some operation changes
+    /// Channels of layers about which heights decide: their texels need the height channel too.
+    ChannelBits led_by_height = 0;
     float height_scale = 0.0f;
     PerChannel<Hash128> channel_hashes;
     std::array<Hash128, kSlotCount> slot_hashes;
     std::array<SlotPlan, kSlotCount> slots;
+
+    /// `wanted` and what has to be composited for it beside.
+    ChannelBits with_needed(ChannelBits wanted) const {
+        const bool heights = (wanted & led_by_height) != 0;
+        return heights ? wanted | channel_bit(Channel::Height) : wanted;
+    }
 };
 
 }  // namespace patina

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "composite/run_tile.h"
 
+#include <algorithm>
+
 #include "composite/adjust_kernels.h"
 #include "composite/mask_kernels.h"
 
@@ -22,9 +24,12 @@ class Runner {
     std::size_t step(const Operation& operation, std::size_t next);
     const Levels* levels_of(const Operation& operation) const;
     void join_mask(const Operation& operation);
+    void share_by_height(const Operation& operation);
+    ReadPlane height_coverage(int depth);
     void clear_group(const Operation& operation);
     void copy_group(const Operation& operation);
     FetchedSource adjusted(const Operation& operation);
+    void look_around(const Operation& operation, const AdjustTask& task);
     void recode(const Operation& operation);
     FetchedSource child_source(const Operation& operation);
     ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
@@ -32,11 +37,11 @@ class Runner {
     const SourceRecord& source_of(const Operation& operation) const {
         return program_.sources[static_cast<std::size_t>(operation.source)];
     }
-    FetchedSource fetch(const Operation& operation, float* first_plane) {
+    FetchedSource fetch(std::int32_t source, float* first_plane) {
+        const auto index = static_cast<std::size_t>(source);
         float* const target[3] = {first_plane, planes_.source(1), planes_.source(2)};
-        return fetch_source(source_of(operation),
-                            run_.images->sources[static_cast<std::size_t>(operation.source)], span_,
-                            target, planes_);
+        return fetch_source(program_.sources[index], run_.images->sources[index], span_, target,
+                            planes_);
     }
 
     const TileRun& run_;
@@ -47,7 +52,8 @@ class Runner {
 
 void Runner::run() {
     fill_bottom();
-    const std::size_t end = program_.operations.size();
+    const std::size_t end =
+        std::min(program_.operations.size(), static_cast<std::size_t>(run_.stop));
     for (std::size_t next = resumed(0); next < end;) {
         const Operation& operation = program_.operations[next];
         next = (operation.channels & run_.wanted) == 0 ? next + 1 : step(operation, next);
@@ -81,8 +87,9 @@ void Runner::store_caches(std::size_t next) {
             point.cache->store(span_, planes_);
 }
 
-/// Whether nothing between here and the target of the jump is to be stored.
+/// Whether nothing between here and the target of the jump is to be stored or asked for.
 bool Runner::may_jump(const Operation& operation, std::size_t next) const {
+    if (operation.jump > run_.stop) return false;
     for (const CachePoint& point : run_.caches)
         if (!point.read && point.place.end > static_cast<std::int32_t>(next) &&
             point.place.end < operation.jump)
@@ -113,12 +120,15 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             multiply_tile({.data = mask}, {.data = planes_.kept_mask()}, mask, span_.count);
             break;
         }
+        case OpCode::MaskHeight:
+            share_by_height(operation);
+            break;
         case OpCode::ToEncoded:
         case OpCode::ToLinear:
             recode(operation);
             break;
         case OpCode::Blend:
-            blend(operation, fetch(operation, planes_.source(0)));
+            blend(operation, fetch(operation.source, planes_.source(0)));
             break;
         case OpCode::Adjust:
             blend(operation, adjusted(operation));
@@ -154,7 +164,7 @@ void Runner::join_mask(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
     const Levels* const levels = levels_of(operation);
     float* const mask = planes_.mask(operation.depth);
-    const ReadPlane entry = fetch(operation, first ? mask : planes_.source(0)).components[0];
+    const ReadPlane entry = fetch(operation.source, first ? mask : planes_.source(0)).components[0];
     if (entry.data == mask && levels == nullptr && (operation.flags & kInvert) == 0) return;
     join_mask_tile({.mask = mask,
                     .source = entry,
@@ -164,6 +174,34 @@ void Runner::join_mask(const Operation& operation) {
                     .invert = (operation.flags & kInvert) != 0,
                     .levels = levels,
                     .count = span_.count});
+}
+
+/// What the height channel covers at a depth; the stack itself is opaque.
+ReadPlane Runner::height_coverage(int depth) {
+    return depth == 0 ? uniform_one() : ReadPlane{.data = planes_.coverage(depth, Channel::Height)};
+}
+
+void Runner::share_by_height(const Operation& operation) {
+    static const UniformPlane surface(0.0f);
+    const HeightBlendRecord& record =
+        program_.height_blends[static_cast<std::size_t>(operation.source)];
+    const int depth = operation.depth;
+    HeightShareTask task{.mask = planes_.mask(depth),
+                         .below = {.data = planes_.channel(depth, Channel::Height)},
+                         .below_coverage = height_coverage(depth),
+                         .own = surface.plane(),
+                         .own_coverage = uniform_one(),
+                         .blend = record.blend,
+                         .count = span_.count};
+    if (record.of_children) {
+        task.own = {.data = planes_.channel(depth + 1, Channel::Height)};
+        task.own_coverage = height_coverage(depth + 1);
+    } else if (record.source >= 0) {
+        const FetchedSource source = fetch(record.source, planes_.source(0));
+        task.own = source.components[0];
+        task.own_coverage = source.coverage;
+    }
+    share_by_height_tile(task);
 }
 
 void Runner::clear_group(const Operation& operation) {
@@ -207,8 +245,28 @@ FetchedSource Runner::adjusted(const Operation& operation) {
         source.components[k] = {.data = task.to[k]};
     }
     source.coverage = uniform_one();
-    run_adjustment(task);
+    if (operation.jump >= 0)
+        look_around(operation, task);
+    else
+        run_adjustment(task);
     return source;
+}
+
+void Runner::look_around(const Operation& operation, const AdjustTask& task) {
+    const auto index = static_cast<std::size_t>(operation.jump);
+    const AroundPlanes* const planes =
+        run_.around != nullptr ? (*run_.around)[index].get() : nullptr;
+    if (planes == nullptr) {
+        for (int k = 0; k < component_count(task.channel); ++k)
+            copy_tile(task.from[k], task.to[k], task.count);
+        return;
+    }
+    AroundTask around{.planes = planes, .channel = task.channel, .span = span_};
+    for (int k = 0; k < component_count(task.channel); ++k) {
+        around.own[k] = task.from[k];
+        around.to[k] = task.to[k];
+    }
+    adjust_around(around);
 }
 
 void Runner::recode(const Operation& operation) {

@@ -4,8 +4,9 @@
 /// Running the operations of a program on one tile.
 
 #include <functional>
+#include <limits>
 
-#include "composite/prefix_cache.h"
+#include "composite/around.h"
 #include "composite/source_fetch.h"
 
 namespace patina {
@@ -22,6 +23,11 @@ struct TileRun {
     ChannelBits wanted = kAllChannels;
     std::vector<CachePoint> caches = {};  ///< in the order of the operations
     BlendObserver observer = nullptr;
+    /// Of all that look around; where they are null, the channel is taken to be the same in every
+    /// texel.
+    const AroundList* around = nullptr;
+    /// The run ends before this operation, with everything before it done in every texel.
+    std::int32_t stop = std::numeric_limits<std::int32_t>::max();
 };
 
 /// Leaves the wanted channels of the stack in the planes of depth 0.

@@ -113,12 +113,20 @@ void find_covering(StackTerms& terms, Channel channel) {
     }
 }
 
+/// Whether heights below decide what is seen of the layer or of one that it passes them through to.
+bool reads_height_below(const LayerTerms& layer) {
+    return layer.height_blend != nullptr ||
+           (layer.pass_through &&
+            std::any_of(layer.children.begin(), layer.children.end(), reads_height_below));
+}
+
 void drop_covered(StackTerms& terms, Channel channel) {
     bool covered = false;
     for (auto layer = terms.rbegin(); layer != terms.rend(); ++layer) {
         auto& contribution = at(layer->channels, channel);
         if (covered) contribution.reset();
         covered = covered || (contribution && contribution->covers);
+        if (channel == Channel::Height && reads_height_below(*layer)) covered = false;
     }
 }
 
@@ -134,6 +142,7 @@ float uniform_weight(const Layer& layer, MaskTerm& mask) {
 bool is_transparent(const LayerTerms& terms, float weight) {
     const auto& channels = terms.layer->channels;
     return terms.pass_through && weight >= 1.0f && !terms.has_mask() &&
+           !terms.layer->height_blend.enabled &&
            std::all_of(channels.begin(), channels.end(), [](const ChannelSettings& settings) {
                return settings.enabled && settings.opacity >= 1.0f;
            });
@@ -158,6 +167,12 @@ void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, B
         }
     }
     add_contributions(layer, weight, terms);
+    if (layer.height_blend.enabled) {
+        terms.height_blend = &layer.height_blend;
+        const ChannelSettings& height = at(layer.channels, Channel::Height);
+        const bool own = height.enabled && std::holds_alternative<FillContent>(layer.content);
+        if (own) terms.height = &height.source;
+    }
     stack.push_back(std::move(terms));
 }
 
@@ -174,7 +189,7 @@ StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers cover
         if (covered == CoveredLayers::Drop) drop_covered(terms, entry.channel);
     }
     std::erase_if(terms, [](const LayerTerms& layer) { return layer.channel_bits() == 0; });
-    for (LayerTerms& layer : terms) keep_channels(layer.children, layer.channel_bits());
+    for (LayerTerms& layer : terms) keep_channels(layer.children, layer.run_bits());
     return terms;
 }
 
@@ -231,6 +246,9 @@ void add_adjustment(Hasher& hasher, const AdjustmentSettings& adjustment) {
     hasher.add(adjustment.brightness).add(adjustment.contrast).add(adjustment.steps);
     add_ramp(hasher, adjustment.gradient);
     hasher.add(adjustment.low).add(adjustment.high);
+    hasher.add(adjustment.radius_permille).add(adjustment.amount);
+    hasher.add(adjustment.distance_permille).add(adjustment.scale);
+    hasher.add(adjustment.octaves).add(adjustment.seed);
 }
 
 void add_mask(Hasher& hasher, const MaskTerm& mask) {
@@ -250,6 +268,20 @@ ChannelBits LayerTerms::channel_bits() const {
     ChannelBits bits = 0;
     for (const ChannelInfo& entry : kChannels)
         if (at(channels, entry.channel)) bits |= channel_bit(entry.channel);
+    return bits;
+}
+
+ChannelBits LayerTerms::run_bits() const {
+    const ChannelBits bits = channel_bits();
+    const bool heights = height_blend != nullptr || (led_by_height(children) & bits) != 0;
+    return heights ? bits | channel_bit(Channel::Height) : bits;
+}
+
+ChannelBits led_by_height(const StackTerms& terms) {
+    ChannelBits bits = 0;
+    for (const LayerTerms& layer : terms)
+        bits |=
+            layer.height_blend != nullptr ? layer.channel_bits() : led_by_height(layer.children);
     return bits;
 }
 
@@ -287,7 +319,12 @@ Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels) {
     Hasher hasher;
     add_mask(hasher, terms.mask);
     add_mask(hasher, terms.clip);
-    hasher.add(terms.pass_through);
+    hasher.add(terms.pass_through).add(terms.height_blend != nullptr);
+    if (terms.height_blend != nullptr) {
+        const HeightBlend& blend = *terms.height_blend;
+        hasher.add(blend.offset).add(blend.radius).add(blend.contrast);
+        hasher.add(terms.height != nullptr ? source_hash(*terms.height) : Hash128{});
+    }
     for (const ChannelInfo& entry : kChannels) {
         const auto& contribution = at(terms.channels, entry.channel);
         if (!contribution || (channels & channel_bit(entry.channel)) == 0) continue;
@@ -296,8 +333,11 @@ Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels) {
         if (contribution->source != nullptr) hasher.add(source_hash(*contribution->source));
         if (contribution->adjustment != nullptr) add_adjustment(hasher, *contribution->adjustment);
     }
+    const bool heights =
+        terms.height_blend != nullptr || (led_by_height(terms.children) & channels) != 0;
+    const ChannelBits inside = heights ? channels | channel_bit(Channel::Height) : channels;
     for (const LayerTerms& child : terms.children)
-        if ((child.channel_bits() & channels) != 0) hasher.add(layer_hash(child, channels));
+        if ((child.channel_bits() & inside) != 0) hasher.add(layer_hash(child, inside));
     return hasher.finish();
 }
 

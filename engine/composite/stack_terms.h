@@ -34,11 +34,17 @@ struct LayerTerms {
     MaskTerm mask = {};
     MaskTerm clip = {};  ///< that of the layer to which this one is clipped; multiplies the mask
     bool pass_through = false;  ///< of a group: the children go on from what lies below it
+    /// How heights decide about the layer; null where they do not.
+    const HeightBlend* height_blend = nullptr;
+    const Source* height = nullptr;  ///< the layer's height for that; null: the surface, or a group
     PerChannel<std::optional<Contribution>> channels = {};
     std::vector<LayerTerms> children = {};  ///< of a group
 
     ChannelBits channel_bits() const;
-    bool has_mask() const { return mask.varies() || clip.varies(); }
+    /// What runs for the layer: its channels, and heights that something inside it goes by.
+    ChannelBits run_bits() const;
+    /// Whether its weight differs from texel to texel, but for its sources' coverage.
+    bool has_mask() const { return mask.varies() || clip.varies() || height_blend != nullptr; }
 };
 using StackTerms = std::vector<LayerTerms>;
 
@@ -54,6 +60,9 @@ std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channe
 
 /// Whether no image or procedural decides the channel.
 bool is_uniform(const StackTerms& terms, Channel channel);
+
+/// The channels of layers, at any depth, about which heights decide.
+ChannelBits led_by_height(const StackTerms& terms);
 
 Hash128 source_hash(const Source& source);
 /// Hash of what a layer does to `channels`, its children and mask included.

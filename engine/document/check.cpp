@@ -70,11 +70,13 @@ Status check_own_values(const Layer& layer) {
             layer.mode == BlendMode::PassThrough ? "layers that are no group" : "colours");
     if (const auto* content = std::get_if<AdjustmentContent>(&layer.content)) {
         if (Status status = check_adjustment(content->adjustment); !status) return status;
-        if (at(layer.channels, Channel::Normal).enabled)
-            return failure("normals cannot be adjusted");
+        if (at(layer.channels, Channel::Normal).enabled &&
+            !adjusts(content->adjustment.kind, Channel::Normal))
+            return failure("normals can only be blurred, sharpened and warped");
     }
     return first_failure({check_range(Parameter::LayerOpacity, layer.opacity),
-                          check_mask(layer.mask), check_channels(layer.channels)});
+                          check_height_blend(layer.height_blend), check_mask(layer.mask),
+                          check_channels(layer.channels)});
 }
 
 }  // namespace
@@ -189,11 +191,22 @@ Status check_adjustment(const AdjustmentSettings& adjustment) {
                        check_range(Parameter::AdjustmentSteps, adjustment.steps),
                        check_ramp(Channel::BaseColor, adjustment.gradient),
                        check_range(Parameter::AdjustmentLow, adjustment.low),
-                       check_range(Parameter::AdjustmentHigh, adjustment.high)});
+                       check_range(Parameter::AdjustmentHigh, adjustment.high),
+                       check_range(Parameter::AdjustmentRadius, adjustment.radius_permille),
+                       check_range(Parameter::AdjustmentAmount, adjustment.amount),
+                       check_range(Parameter::AdjustmentDistance, adjustment.distance_permille),
+                       check_range(Parameter::AdjustmentScale, adjustment.scale),
+                       check_range(Parameter::AdjustmentOctaves, adjustment.octaves)});
     if (!status) return status;
     if (adjustment.low <= adjustment.high) return {};
     return failure("the least value must not exceed the greatest, got {} and {}", adjustment.low,
                    adjustment.high);
+}
+
+Status check_height_blend(const HeightBlend& blend) {
+    return first_failure({check_range(Parameter::HeightBlendOffset, blend.offset),
+                          check_range(Parameter::HeightBlendRadius, blend.radius),
+                          check_range(Parameter::HeightBlendContrast, blend.contrast)});
 }
 
 Status check_mask(const Mask& mask) {

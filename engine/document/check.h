@@ -37,6 +37,7 @@ Status check_transform(const UvTransform& transform);
 Status check_source(SourceUse use, const Source& source);
 Status check_levels(const Levels& levels);
 Status check_adjustment(const AdjustmentSettings& adjustment);
+Status check_height_blend(const HeightBlend& blend);
 Status check_mask(const Mask& mask);
 /// The layer and all its children, ids apart. The failure names the layer.
 Status check_layer(const Layer& layer);

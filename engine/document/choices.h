@@ -73,6 +73,9 @@ inline constexpr std::array kAdjustmentKinds = {
     Choice{"posterise", "Posterise"},
     Choice{"gradient-map", "Gradient map"},
     Choice{"clamp", "Clamp"},
+    Choice{"blur", "Blur"},
+    Choice{"sharpen", "Sharpen"},
+    Choice{"warp", "Warp"},
 };
 inline constexpr std::array kLightKinds = {Choice{"directional", "Directional"},
                                            Choice{"point", "Point"}, Choice{"spot", "Spot"}};

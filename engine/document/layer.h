@@ -17,6 +17,7 @@
 #include "document/adjustment.h"
 #include "document/blend_mode.h"
 #include "document/channel.h"
+#include "document/height_blend.h"
 #include "document/source.h"
 
 namespace patina {
@@ -103,6 +104,7 @@ struct Layer {
     float opacity = 1.0f;                ///< 0 to 1
     BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own
     BlendSpace blend_space = BlendSpace::Linear;
+    HeightBlend height_blend = {};
     Mask mask = {};
     PerChannel<ChannelSettings> channels = default_channels();
     LayerContent content = FillContent{};
@@ -114,7 +116,8 @@ struct Layer {
     bool operator==(const Layer&) const = default;
 };
 
-/// The mode that a channel of the layer blends with.
+/// The mode that a channel of the layer blends with. Heights of a layer that blends by height, and
+/// scalars and heights of an adjustment, replace what lies below where they state no mode.
 BlendMode effective_blend_mode(const Layer& layer, Channel channel);
 
 }  // namespace patina

@@ -325,6 +325,8 @@ Edit set_adjustment(const Material& material, const Layer& layer,
             if (!content)
                 return failure("{} is not an adjustment", quoted_for_message(copy.name, 80));
             content->adjustment = adjustment;
+            if (!adjusts(adjustment.kind, Channel::Normal))
+                at(copy.channels, Channel::Normal).enabled = false;
             return check_adjustment(adjustment);
         });
 }
@@ -350,6 +352,19 @@ Edit set_layer_blend_space(const Material& material, const Layer& layer, BlendSp
                       });
 }
 
+Edit set_layer_height_blend(const Material& material, const Layer& layer, const HeightBlend& blend,
+                            Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    const bool merges = row.kind != ParameterKind::Switch;
+    return layer_edit(
+        material, layer, fmt::format("{} of {}", row.label, layer.name),
+        merges ? MergeKey{fmt::format("height-blend.{}", row.id), layer.id.value} : MergeKey{},
+        OwnLock::Respected, [blend](Layer& copy) -> Status {
+            copy.height_blend = blend;
+            return check_height_blend(blend);
+        });
+}
+
 Edit set_group_open(const Material& material, const Layer& group, bool open) {
     return layer_edit(material, group, (open ? "Unfold " : "Fold ") + group.name, {},
                       OwnLock::Ignored, [open](Layer& copy) -> Status {
@@ -368,8 +383,9 @@ Edit set_channel_enabled(const Material& material, const Layer& layer, Channel c
         material, layer,
         fmt::format("{} {} of {}", info(channel).label, enabled ? "on" : "off", layer.name), {},
         OwnLock::Respected, [channel, enabled](Layer& copy) -> Status {
-            if (enabled && copy.is_adjustment() && channel == Channel::Normal)
-                return failure("normals cannot be adjusted");
+            const auto* const content = std::get_if<AdjustmentContent>(&copy.content);
+            if (enabled && content && !adjusts(content->adjustment.kind, channel))
+                return failure("normals can only be blurred, sharpened and warped");
             at(copy.channels, channel).enabled = enabled;
             return {};
         });

@@ -89,12 +89,15 @@ Edit set_layer_opacity(const Material& material, const Layer& layer, float opaci
 /// Clips a layer to the next one below that is not clipped.
 Edit set_layer_clipped(const Material& material, const Layer& layer, bool clipped);
 /// Puts a whole adjustment in the place of the layer's. `parameter`: what is being changed, for the
-/// label; drags of one parameter merge.
+/// label; drags of one parameter merge. Normals go off where the kind cannot adjust them.
 Edit set_adjustment(const Material& material, const Layer& layer,
                     const AdjustmentSettings& adjustment, Parameter parameter);
 /// A mode that applies to colours; for a group pass-through as well.
 Edit set_layer_mode(const Material& material, const Layer& layer, BlendMode mode);
 Edit set_layer_blend_space(const Material& material, const Layer& layer, BlendSpace space);
+/// `parameter`: what is being changed, for the label; drags of one parameter merge.
+Edit set_layer_height_blend(const Material& material, const Layer& layer, const HeightBlend& blend,
+                            Parameter parameter);
 /// Folds and unfolds a group in the layer list. Allowed on locked layers.
 Edit set_group_open(const Material& material, const Layer& group, bool open);
 

@@ -157,6 +157,19 @@ Levels read_levels(JsonObject& parent) {
     return levels;
 }
 
+HeightBlend read_height_blend(JsonObject& parent) {
+    HeightBlend blend;
+    const Json* json = parent.find("height-blend");
+    if (!json) return blend;
+    JsonObject object(*json, parent.pointer_to("height-blend"), parent.faults());
+    blend.enabled = object.boolean("enabled", true);
+    blend.offset = object.number("offset", Parameter::HeightBlendOffset, blend.offset);
+    blend.radius = object.number("radius", Parameter::HeightBlendRadius, blend.radius);
+    blend.contrast = object.number("contrast", Parameter::HeightBlendContrast, blend.contrast);
+    object.finish();
+    return blend;
+}
+
 std::vector<CurvePoint> read_curve(JsonObject& parent) {
     const Json* json = parent.find("curve");
     if (!json) return AdjustmentSettings{}.curve;
@@ -195,6 +208,14 @@ AdjustmentSettings read_adjustment(JsonObject& parent) {
     read.gradient = read_ramp(Channel::BaseColor, object, "gradient", read.gradient);
     read.low = object.number("low", Parameter::AdjustmentLow, read.low);
     read.high = object.number("high", Parameter::AdjustmentHigh, read.high);
+    read.radius_permille =
+        object.number("radius", Parameter::AdjustmentRadius, read.radius_permille);
+    read.amount = object.number("amount", Parameter::AdjustmentAmount, read.amount);
+    read.distance_permille =
+        object.number("distance", Parameter::AdjustmentDistance, read.distance_permille);
+    read.scale = object.number("scale", Parameter::AdjustmentScale, read.scale);
+    read.octaves = static_cast<int>(object.integer("octaves", 1, 10, read.octaves));
+    read.seed = static_cast<std::uint32_t>(object.integer("seed", 0, UINT32_MAX, read.seed));
     object.finish();
     note(check_adjustment(read), object.pointer(), object.faults());
     return read;
@@ -308,13 +329,16 @@ class LayerReader {
         if (!blends_layer(layer.mode, kind == "group"))
             object.fault("mode", "does not apply to colours");
         layer.blend_space = object.choice("blend-space", layer.blend_space);
+        layer.height_blend = read_height_blend(object);
         layer.channels = read_channels(object, kind == "group");
         layer.mask = read_mask(object);
         if (kind == "group") layer.content = read_group(object, depth);
         if (kind == "adjustment") {
-            layer.content = AdjustmentContent{read_adjustment(object)};
-            if (at(layer.channels, Channel::Normal).enabled)
-                object.fault("channels", "adjusts normals, which cannot be adjusted");
+            const AdjustmentSettings adjustment = read_adjustment(object);
+            if (at(layer.channels, Channel::Normal).enabled &&
+                !adjusts(adjustment.kind, Channel::Normal))
+                object.fault("channels", "adjusts normals, which cannot be adjusted so");
+            layer.content = AdjustmentContent{adjustment};
         }
         object.finish();
         return layer;

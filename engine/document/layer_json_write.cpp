@@ -106,6 +106,17 @@ Json levels_to_json(const Levels& levels) {
     return json;
 }
 
+/// One that is there is on, unless it says otherwise.
+Json height_blend_to_json(const HeightBlend& blend) {
+    const HeightBlend standard;
+    Json json = Json::object();
+    if (!blend.enabled) json["enabled"] = false;
+    add_unless(json, "offset", blend.offset, standard.offset);
+    add_unless(json, "radius", blend.radius, standard.radius);
+    add_unless(json, "contrast", blend.contrast, standard.contrast);
+    return json;
+}
+
 Json adjustment_to_json(const AdjustmentSettings& adjustment) {
     const AdjustmentSettings standard;
     Json json = {{"kind", choice(adjustment.kind).id}};
@@ -126,6 +137,12 @@ Json adjustment_to_json(const AdjustmentSettings& adjustment) {
         json["gradient"] = ramp_to_json(Channel::BaseColor, adjustment.gradient);
     add_unless(json, "low", adjustment.low, standard.low);
     add_unless(json, "high", adjustment.high, standard.high);
+    add_unless(json, "radius", adjustment.radius_permille, standard.radius_permille);
+    add_unless(json, "amount", adjustment.amount, standard.amount);
+    add_unless(json, "distance", adjustment.distance_permille, standard.distance_permille);
+    add_unless(json, "scale", adjustment.scale, standard.scale);
+    add_unless(json, "octaves", adjustment.octaves, standard.octaves);
+    add_unless(json, "seed", adjustment.seed, standard.seed);
     return json;
 }
 
@@ -197,6 +214,8 @@ Json layer_to_json(const Layer& layer, JsonIds ids) {
     add_unless(json, "opacity", layer.opacity, standard.opacity);
     if (layer.mode != standard.mode) json["mode"] = info(layer.mode).id;
     add_choice_unless(json, "blend-space", layer.blend_space, standard.blend_space);
+    if (layer.height_blend != standard.height_blend)
+        json["height-blend"] = height_blend_to_json(layer.height_blend);
     if (Json channels = channels_to_json(layer); !channels.empty())
         json["channels"] = std::move(channels);
     if (Json mask = mask_to_json(layer.mask, ids); !mask.empty()) json["mask"] = std::move(mask);

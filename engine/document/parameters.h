@@ -21,6 +21,7 @@ namespace patina {
 /// What a parameter belongs to.
 enum class Subject : std::uint8_t {
     Layer,
+    HeightBlend,  ///< of a layer
     Channel,      ///< of a layer
     Value,        ///< of a constant or a ramp's stop, by what it feeds
     Image,        ///< an image source
@@ -53,6 +54,11 @@ enum class Parameter : std::uint8_t {
     LayerOpacity,
     LayerMode,
     LayerBlendSpace,
+
+    HeightBlendEnabled,
+    HeightBlendOffset,
+    HeightBlendRadius,
+    HeightBlendContrast,
 
     ChannelEnabled,
     ChannelMode,
@@ -118,6 +124,12 @@ enum class Parameter : std::uint8_t {
     AdjustmentSteps,
     AdjustmentLow,
     AdjustmentHigh,
+    AdjustmentRadius,
+    AdjustmentAmount,
+    AdjustmentDistance,
+    AdjustmentScale,
+    AdjustmentOctaves,
+    AdjustmentSeed,
     CurveX,
     CurveY,
 

@@ -6,6 +6,7 @@
 ///
 ///   Body/Rust/opacity=0.5                    the layer's own
 ///   Body/Rust/mode=multiply
+///   Body/Rust/height-blend/radius=0.2        blends by height, unless it is told not to
 ///   Body/Rust/roughness/opacity=0.5          of a channel
 ///   Body/Rust/opacity/source=0.5             of the channel "opacity"
 ///   Body/Rust/base-color=#8a3b12             its value: sRGB, [r, g, b] in linear light, a number

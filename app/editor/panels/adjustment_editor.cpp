@@ -97,13 +97,28 @@ void draw_gradient(Editing& editing) {
     editing.change(changed, Parameter::RampPosition);
 }
 
-void draw_steps(Editing& editing) {
-    const auto next = number_field(editing.ui, next_line(editing.ui, editing.rest),
-                                   number_spec(Parameter::AdjustmentSteps), editing.now.steps);
+void draw_whole_number(Editing& editing, const Rect& box, Parameter parameter,
+                       int AdjustmentSettings::*member) {
+    const auto next = number_field(editing.ui, box, number_spec(parameter), editing.now.*member);
     if (!next) return;
     AdjustmentSettings changed = editing.now;
-    changed.steps = static_cast<int>(*next);
-    editing.change(changed, Parameter::AdjustmentSteps);
+    changed.*member = static_cast<int>(*next);
+    editing.change(changed, parameter);
+}
+
+void draw_warp(Editing& editing) {
+    editing.numbers(Parameter::AdjustmentDistance, &AdjustmentSettings::distance_permille,
+                    Parameter::AdjustmentScale, &AdjustmentSettings::scale);
+    const auto boxes = side_by_side<2>(editing.ui, next_line(editing.ui, editing.rest));
+    draw_whole_number(editing, boxes[0], Parameter::AdjustmentOctaves,
+                      &AdjustmentSettings::octaves);
+    NumberSpec seed = number_spec(Parameter::AdjustmentSeed);
+    seed.level = false;
+    const auto next = number_field(editing.ui, boxes[1], seed, editing.now.seed);
+    if (!next) return;
+    AdjustmentSettings changed = editing.now;
+    changed.seed = static_cast<std::uint32_t>(*next);
+    editing.change(changed, Parameter::AdjustmentSeed);
 }
 
 void draw_numbers(Editing& editing) {
@@ -122,12 +137,21 @@ void draw_numbers(Editing& editing) {
             return editing.numbers(AdjustmentBrightness, &AdjustmentSettings::brightness,
                                    AdjustmentContrast, &AdjustmentSettings::contrast);
         case AdjustmentKind::Posterise:
-            return draw_steps(editing);
+            return draw_whole_number(editing, next_line(editing.ui, editing.rest),
+                                     Parameter::AdjustmentSteps, &AdjustmentSettings::steps);
         case AdjustmentKind::GradientMap:
             return draw_gradient(editing);
         case AdjustmentKind::Clamp:
             return editing.numbers(AdjustmentLow, &AdjustmentSettings::low, AdjustmentHigh,
                                    &AdjustmentSettings::high);
+        case AdjustmentKind::Blur:
+            return editing.number(next_line(editing.ui, editing.rest), AdjustmentRadius,
+                                  &AdjustmentSettings::radius_permille);
+        case AdjustmentKind::Sharpen:
+            return editing.numbers(AdjustmentRadius, &AdjustmentSettings::radius_permille,
+                                   AdjustmentAmount, &AdjustmentSettings::amount);
+        case AdjustmentKind::Warp:
+            return draw_warp(editing);
         case AdjustmentKind::Invert:
             return;
     }

@@ -72,6 +72,7 @@ Material adjusted_spectrum(const Layer& adjustment) {
     copy.clipped = false;
     copy.opacity = 1.0f;
     copy.mask = {};
+    copy.height_blend = {};
     copy.channels = default_channels();
     at(copy.channels, Channel::BaseColor).enabled = true;
     return stack_of({only_base_color(spectrum), std::move(shade), std::move(copy)});
@@ -106,6 +107,7 @@ Material layer_thumbnail(const Layer& layer) {
         copy.opacity = 1.0f;
         copy.mode = BlendMode::Normal;
         copy.mask = {};
+        copy.height_blend = {};
         for (ChannelSettings& settings : copy.channels) settings.opacity = 1.0f;
         return stack_of({std::move(copy)});
     }

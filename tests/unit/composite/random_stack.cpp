@@ -32,9 +32,10 @@ bool is_continuous(BlendMode mode) {
     }
 }
 
-/// The same of adjustments.
+/// The same of adjustments, of those that one texel is enough for.
 bool is_continuous(AdjustmentKind kind) {
-    return kind != AdjustmentKind::Posterise && kind != AdjustmentKind::HueSaturation;
+    return kind != AdjustmentKind::Posterise && kind != AdjustmentKind::HueSaturation &&
+           !looks_around(kind);
 }
 
 }  // namespace
@@ -159,6 +160,12 @@ AdjustmentSettings RandomStack::adjustment() {
                          {0.6f, {number(), number(), number()}}};
     settings.low = number(0, 0.4f);
     settings.high = number(0.5f, 1);
+    settings.radius_permille = number(1, 50);
+    settings.amount = number(0, 3);
+    settings.distance_permille = number(0, 100);
+    settings.scale = number(1, 9);
+    settings.octaves = 1 + index(3);
+    settings.seed = static_cast<std::uint32_t>(index(1000));
     return settings;
 }
 
@@ -180,10 +187,18 @@ Layer RandomStack::layer(int depth) {
     if (depth < 2 && chance(25))
         layer.content = GroupContent{.children = stack(1 + index(3), depth + 1)};
     layer.clipped = chance(15);
+    // A narrow radius or a high contrast has steps that the last digit of a float decides.
+    const bool steep = sources_ == RandomSources::All;
+    layer.height_blend = {.enabled = chance(25),
+                          .offset = number(-1, 1),
+                          .radius = number(steep ? 0.0f : 0.2f, 1),
+                          .contrast = number(0, steep ? 1.0f : 0.5f)};
     if (layer.is_group() && chance(35)) layer.mode = BlendMode::PassThrough;
     if (!layer.is_group() && chance(15)) {
-        layer.content = AdjustmentContent{adjustment()};
-        at(layer.channels, Channel::Normal).enabled = false;
+        const AdjustmentSettings settings = adjustment();
+        layer.content = AdjustmentContent{settings};
+        if (!adjusts(settings.kind, Channel::Normal))
+            at(layer.channels, Channel::Normal).enabled = false;
     }
     return layer;
 }

@@ -95,6 +95,8 @@ class Texel {
     double coverage(const Layer& layer) const;
     void composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const;
     void composite(const Layer& layer, double weight, Accumulators& accumulators) const;
+    double share_by_height(const Layer& layer, const Accumulated& below,
+                           const Accumulated& children) const;
     static void adjust(const Layer& layer, const AdjustmentSettings& adjustment, Channel channel,
                        double weight, Accumulated& below);
     void lay(const Layer& layer, Channel channel, Sampled source, double weight,
@@ -134,6 +136,9 @@ void Texel::composite(const Layer& layer, double weight, Accumulators& accumulat
         for (Accumulated& child : children) child.opaque = false;
     }
     if (layer.is_group()) composite(std::get<GroupContent>(layer.content).children, children);
+    if (layer.height_blend.enabled)
+        weight *= share_by_height(layer, at(accumulators, Channel::Height),
+                                  at(children, Channel::Height));
     for (const ChannelInfo& entry : kChannels) {
         const ChannelSettings& settings = at(layer.channels, entry.channel);
         if (!settings.enabled || settings.opacity == 0.0f) continue;
@@ -164,6 +169,27 @@ void Texel::composite(const Layer& layer, double weight, Accumulators& accumulat
         }
         lay(layer, entry.channel, source, own_weight, accumulators);
     }
+}
+
+/// Mishkinis's blend by depth, its share made harder about a half.
+double Texel::share_by_height(const Layer& layer, const Accumulated& below,
+                              const Accumulated& children) const {
+    double own = 0;
+    const ChannelSettings& settings = at(layer.channels, Channel::Height);
+    if (layer.is_group()) {
+        own = children.value.x * children.coverage;
+    } else if (!layer.is_adjustment() && settings.enabled) {
+        const Sampled height = sampled(settings.source, ChannelKind::Height);
+        own = height.value.x * height.coverage;
+    }
+    own += static_cast<double>(layer.height_blend.offset);
+    const double backdrop = below.value.x * below.coverage;
+    const double radius = static_cast<double>(layer.height_blend.radius);
+    const double line = std::max(own, backdrop) - radius;
+    const double above = std::max(own - line, 0.0), under = std::max(backdrop - line, 0.0);
+    const double share = above / (above + under);
+    const double slope = 1 / (1 - static_cast<double>(layer.height_blend.contrast));
+    return std::clamp((share - 0.5) * slope + 0.5, 0.0, 1.0);
 }
 
 /// The channel goes over to its adjusted self; what covers stays.

@@ -82,6 +82,17 @@ TEST(Parameters, StandardsAreThoseOfNewValues) {
     EXPECT_EQ(standard(Parameter::ImageMultiply), image.multiply.x);
     EXPECT_EQ(standard(Parameter::ImageAdd), image.add.x);
     EXPECT_EQ(standard(Parameter::ImageColorSpace), static_cast<double>(image.color_space));
+    const HeightBlend height_blend;
+    EXPECT_EQ(standard(Parameter::HeightBlendOffset), height_blend.offset);
+    EXPECT_FLOAT_EQ(static_cast<float>(standard(Parameter::HeightBlendRadius)),
+                    height_blend.radius);
+    EXPECT_EQ(standard(Parameter::HeightBlendContrast), height_blend.contrast);
+    const AdjustmentSettings adjustment;
+    EXPECT_EQ(standard(Parameter::AdjustmentRadius), adjustment.radius_permille);
+    EXPECT_EQ(standard(Parameter::AdjustmentAmount), adjustment.amount);
+    EXPECT_EQ(standard(Parameter::AdjustmentDistance), adjustment.distance_permille);
+    EXPECT_EQ(standard(Parameter::AdjustmentScale), adjustment.scale);
+    EXPECT_EQ(standard(Parameter::AdjustmentOctaves), adjustment.octaves);
     const Levels levels;
     EXPECT_EQ(standard(Parameter::LevelsInHigh), levels.in_high);
     EXPECT_EQ(standard(Parameter::LevelsGamma), levels.gamma);
@@ -124,11 +135,17 @@ TEST(Parameters, TheSchemaStatesTheSameRangesStandardsAndChoices) {
         read_text_file(std::filesystem::path(PATINA_SOURCE_DIR) / "presets/schema.json").value());
     const json& defs = schema["$defs"];
     const std::map<Subject, std::string> places = {
-        {Subject::Layer, "/fill"},    {Subject::Channel, "/color-channel"},
-        {Subject::Image, "/image"},   {Subject::UvTransform, "/transform"},
-        {Subject::Mask, "/mask"},     {Subject::Procedural, "/procedural-scalar"},
-        {Subject::Levels, "/levels"}, {Subject::MaskEntry, "/mask-entry"},
-        {Subject::Light, "/light"},   {Subject::Adjustment, "/adjustment"},
+        {Subject::Layer, "/fill"},
+        {Subject::Channel, "/color-channel"},
+        {Subject::Image, "/image"},
+        {Subject::UvTransform, "/transform"},
+        {Subject::Mask, "/mask"},
+        {Subject::Procedural, "/procedural-scalar"},
+        {Subject::Levels, "/levels"},
+        {Subject::MaskEntry, "/mask-entry"},
+        {Subject::Light, "/light"},
+        {Subject::HeightBlend, "/height-blend"},
+        {Subject::Adjustment, "/adjustment"},
     };
     int compared = 0;
     for (const ParameterInfo& row : parameters()) {

@@ -167,7 +167,7 @@ Levels some_levels(const Target& t) {
 
 AdjustmentSettings some_adjustment(const Target& t) {
     AdjustmentSettings settings;
-    settings.kind = static_cast<AdjustmentKind>(t.choices.below(8));
+    settings.kind = static_cast<AdjustmentKind>(t.choices.below(11));
     settings.levels = some_levels(t);
     settings.curve = {{0.0f, t.choices.number(0, 1)}, {t.choices.number(0, 1), 0.5f}};
     settings.hue_degrees = t.choices.number(-190, 190);
@@ -177,6 +177,11 @@ AdjustmentSettings some_adjustment(const Target& t) {
     settings.gradient = some_ramp(t);
     settings.low = t.choices.number(0, 0.6f);
     settings.high = t.choices.number(0.5f, 1);
+    settings.radius_permille = t.choices.number(0.1f, 51);
+    settings.amount = t.choices.number(0, 5);
+    settings.distance_permille = t.choices.number(0, 100);
+    settings.scale = t.choices.number(1, 128);
+    settings.seed = static_cast<std::uint32_t>(t.choices.below(99));
     return settings;
 }
 
@@ -190,7 +195,7 @@ Edit some_add(const Target& t) {
             return add_layer(*t.material, procedural_layer(ProceduralKind::ValueNoise), t.place());
         case 3:
             return add_layer(*t.material,
-                             adjustment_layer(static_cast<AdjustmentKind>(t.choices.below(8))),
+                             adjustment_layer(static_cast<AdjustmentKind>(t.choices.below(11))),
                              t.place());
         default:
             return add_layer(*t.material, group_layer(), t.place());
@@ -228,6 +233,14 @@ const std::vector<EditOf>& edits_of_layers() {
         [](const Target& t) {
             return set_layer_blend_space(*t.material, *t.layer,
                                          static_cast<BlendSpace>(t.choices.below(2)));
+        },
+        [](const Target& t) {
+            return set_layer_height_blend(*t.material, *t.layer,
+                                          {.enabled = t.choices.coin(),
+                                           .offset = t.choices.number(-1.1f, 1),
+                                           .radius = t.choices.number(0, 1),
+                                           .contrast = t.choices.number(0, 1)},
+                                          Parameter::HeightBlendRadius);
         },
         [](const Target& t) { return set_group_open(*t.material, *t.layer, t.choices.coin()); },
         [](const Target& t) {

@@ -86,8 +86,8 @@ void draw_channel_name(Ui& ui, const Rect& rect, Channel channel, bool on, bool 
 
 Requests draw_channel_row(Ui& ui, Rect& rest, Channel channel, const LayerSubject& subject,
                           ViewState& view) {
-    // A normal is no number that an adjustment could change.
-    if (subject.layer.is_adjustment() && channel == Channel::Normal) return {};
+    const auto* const adjustment = std::get_if<AdjustmentContent>(&subject.layer.content);
+    if (adjustment != nullptr && !adjusts(adjustment->adjustment.kind, channel)) return {};
     Requests requests;
     const Place place(ui, info(channel).label);
     const Layer& layer = subject.layer;

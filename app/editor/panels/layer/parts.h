@@ -21,6 +21,8 @@ struct LayerSubject {
     bool wide = true;  ///< room for the Blend column
 };
 
+/// Whether heights decide what the layer covers, and the numbers of that while they do.
+Requests draw_height_blend(Ui& ui, Rect& rest, const LayerSubject& subject);
 Requests draw_channels(Ui& ui, Rect& rest, const LayerSubject& subject, ViewState& view);
 Requests draw_mask(Ui& ui, Rect& rest, const LayerSubject& subject, ViewState& view);
 Requests draw_uv(Ui& ui, Rect& rest, const LayerSubject& subject, ViewState& view);

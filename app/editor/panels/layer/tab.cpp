@@ -73,6 +73,7 @@ Requests draw_head(Ui& ui, Rect& rest, const LayerSubject& subject) {
     const ParameterInfo& clip = info(Parameter::LayerClipped);
     if (labelled_checkbox(ui, clip_box, clip.label, layer.clipped, clip.tooltip))
         requests.edit(set_layer_clipped(subject.material, layer, !layer.clipped));
+    requests.append(draw_height_blend(ui, rest, subject));
     rest.cut_top(ui.px(10));
     return requests;
 }

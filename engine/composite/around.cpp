@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include "composite/around.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "composite/around_kernels.h"
+#include "composite/blend_kernels.h"
+#include "composite/run_tile.h"
+#include "core/formulae/formulae.h"
+#include "core/parallel.h"
+
+namespace patina {
+namespace {
+
+/// Kernels read and write whole runs of lanes, four at a time.
+constexpr std::size_t kPadding = 64;
+constexpr int kRowsPerTask = 16;
+
+int wrapped(int index, int size) {
+    const int rest = index % size;
+    return rest < 0 ? rest + size : rest;
+}
+
+/// Texels from `begin` on in one direction, past the border where there are as many.
+struct Range {
+    int begin = 0;
+    int length = 0;
+};
+
+Range grown(int first, int last, int by, int size) {
+    if (last - first + 2 * by >= size) return {0, size};
+    return {wrapped(first - by, size), last - first + 2 * by};
+}
+
+/// Calls visit(first, last) for the one or two parts of a range on this side of the border.
+template <typename Visit>
+void for_each_part(const Range& range, int size, const Visit& visit) {
+    const int end = range.begin + range.length;
+    visit(range.begin, std::min(end, size));
+    if (end > size) visit(0, end - size);
+}
+
+bool blurs(const AdjustmentSettings& adjustment) {
+    return adjustment.kind == AdjustmentKind::Blur || adjustment.kind == AdjustmentKind::Sharpen;
+}
+
+float texels(float permille, int size) {
+    return permille * 0.001f * static_cast<float>(size);
+}
+
+/// Normalised, so that what is the same everywhere stays as it is.
+std::vector<float> blur_weights(float radius, int reach) {
+    std::vector<float> weights;
+    float sum = 0.0f;
+    for (int j = 0; j <= reach; ++j) {
+        weights.push_back(formulae::blur_weight(static_cast<float>(j), radius));
+        sum += j == 0 ? weights.back() : 2.0f * weights.back();
+    }
+    for (float& weight : weights) weight /= sum;
+    return weights;
+}
+
+/// Fills the planes of one layer: first with what lies below it, then, for a blur, with the sums
+/// along each row.
+class Preparation {
+  public:
+    Preparation(const AroundJob& job, const AroundList& earlier, AroundPlanes& planes, int halo)
+        : job_(job), planes_(planes) {
+        const int size = job.size;
+        columns_ = grown(job.rect.x0, job.rect.x1, halo, size);
+        rows_ = grown(job.rect.y0, job.rect.y1, halo + planes.reach(), size);
+        read_columns_ = grown(job.rect.x0, job.rect.x1, halo + planes.reach(), size);
+        run_ = {.program = job.program,
+                .images = job.images,
+                .wanted = job.program->with_needed(planes.channels()),
+                .around = &earlier,
+                .stop = planes.record().begin};
+        for (const CachePoint& point : job.caches)
+            if (point.read && point.place.end <= run_.stop) run_.caches.push_back(point);
+    }
+
+    void run(const Progress& progress) {
+        parallel_for(0, rows_.length, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+            if (progress.cancelled()) return;
+            TilePlanes tile(job_.program->depths);
+            std::vector<float> line(static_cast<std::size_t>(job_.size + 2 * planes_.reach()) +
+                                    kPadding);
+            std::vector<float> sums(static_cast<std::size_t>(job_.size) + kPadding);
+            for (auto i = static_cast<int>(first); i < static_cast<int>(last); ++i) {
+                const int y = wrapped(rows_.begin + i, job_.size);
+                composite_row(y, tile);
+                if (blurs(planes_.adjustment())) blur_row(y, line, sums);
+            }
+        });
+    }
+
+  private:
+    void composite_row(int y, TilePlanes& tile) {
+        for_each_part(read_columns_, job_.size, [&](int first, int last) {
+            for (int x = first; x < last; x += kTileTexels) {
+                const TileSpan span{
+                    .x = x, .y = y, .count = std::min(kTileTexels, last - x), .size = job_.size};
+                run_tile(run_, span, tile);
+                keep(span, tile);
+            }
+        });
+    }
+
+    void keep(const TileSpan& span, TilePlanes& tile) {
+        const int depth = planes_.record().depth;
+        const std::size_t bytes = static_cast<std::size_t>(span.count) * sizeof(float);
+        for (const ChannelInfo& entry : kChannels) {
+            const Channel channel = entry.channel;
+            if ((planes_.channels() & channel_bit(channel)) == 0) continue;
+            const int components = component_count(channel);
+            for (int k = 0; k < components; ++k) {
+                float* const value = tile.channel(depth, channel, k);
+                if (depth > 0)
+                    multiply_tile({.data = value}, {.data = tile.coverage(depth, channel)}, value,
+                                  span.count);
+                std::memcpy(planes_.row(channel, k, span.y) + span.x, value, bytes);
+            }
+            if (depth > 0)
+                std::memcpy(planes_.row(channel, components, span.y) + span.x,
+                            tile.coverage(depth, channel), bytes);
+        }
+    }
+
+    void blur_row(int y, std::vector<float>& line, std::vector<float>& sums) {
+        const int reach = planes_.reach();
+        std::vector<const float*> lines;
+        for (int j = 0; j <= 2 * reach; ++j) lines.push_back(line.data() + j);
+        const BlurTask task{.weights = planes_.weights().data(),
+                            .reach = reach,
+                            .lines = lines.data(),
+                            .count = columns_.length,
+                            .sums = sums.data()};
+        for (const ChannelInfo& entry : kChannels) {
+            if ((planes_.channels() & channel_bit(entry.channel)) == 0) continue;
+            for (int k = 0; k < planes_.planes_of(entry.channel); ++k) {
+                float* const row = planes_.row(entry.channel, k, y);
+                for (int i = 0; i < columns_.length + 2 * reach; ++i)
+                    line[static_cast<std::size_t>(i)] =
+                        row[wrapped(columns_.begin - reach + i, job_.size)];
+                blur_tile(task);
+                const float* from = sums.data();
+                for_each_part(columns_, job_.size, [&](int first, int last) {
+                    const auto count = static_cast<std::size_t>(last - first);
+                    std::memcpy(row + first, from, count * sizeof(float));
+                    from += count;
+                });
+            }
+        }
+    }
+
+    const AroundJob& job_;
+    AroundPlanes& planes_;
+    TileRun run_;
+    Range columns_;
+    Range rows_;
+    Range read_columns_;
+};
+
+/// Whether a cache goes on from beyond the layer.
+bool is_skipped(const AroundRecord& record, const std::vector<CachePoint>& caches) {
+    return std::any_of(caches.begin(), caches.end(), [&](const CachePoint& point) {
+        return point.read && point.place.begin <= record.begin && record.begin < point.place.end;
+    });
+}
+
+}  // namespace
+
+int reach_of(const AdjustmentSettings& adjustment, int size) {
+    if (blurs(adjustment)) return static_cast<int>(texels(adjustment.radius_permille, size));
+    // One more for the texel beyond, to which the one is mixed.
+    if (adjustment.kind == AdjustmentKind::Warp)
+        return static_cast<int>(std::ceil(texels(adjustment.distance_permille, size))) + 1;
+    return 0;
+}
+
+int reach_of(const ProgramData& program, int size) {
+    int reach = 0;
+    for (const AroundRecord& record : program.around)
+        reach += reach_of(program.adjustments[static_cast<std::size_t>(record.adjustment)], size);
+    return reach;
+}
+
+AroundPlanes::AroundPlanes(const AroundRecord& record, const AdjustmentSettings& adjustment,
+                           ChannelBits channels, int size)
+    : record_(record),
+      adjustment_(adjustment),
+      channels_(channels),
+      size_(size),
+      reach_(std::min(reach_of(adjustment, size), size)) {
+    if (blurs(adjustment))
+        weights_ = blur_weights(texels(adjustment.radius_permille, size), reach_);
+    int planes = 0;
+    for (const ChannelInfo& entry : kChannels)
+        if ((channels & channel_bit(entry.channel)) != 0) planes += planes_of(entry.channel);
+    memory_.resize(row_start(planes, 0) + kPadding);
+}
+
+int AroundPlanes::first_plane(Channel channel) const {
+    int first = 0;
+    for (const ChannelInfo& entry : kChannels) {
+        if (entry.channel == channel) break;
+        if ((channels_ & channel_bit(entry.channel)) != 0) first += planes_of(entry.channel);
+    }
+    return first;
+}
+
+AroundList prepared_around(const AroundJob& job, const Progress& progress) {
+    const ProgramData& program = *job.program;
+    AroundList list(program.around.size());
+    // The relief of the heights looks one texel around as well.
+    int halo = 1 + reach_of(program, job.size);
+    for (std::size_t i = 0; i < list.size() && !progress.cancelled(); ++i) {
+        const AroundRecord& record = program.around[i];
+        const AdjustmentSettings& adjustment =
+            program.adjustments[static_cast<std::size_t>(record.adjustment)];
+        halo -= reach_of(adjustment, job.size);
+        const ChannelBits channels = record.channels & program.with_needed(job.wanted);
+        if (channels == 0 || is_skipped(record, job.caches)) continue;
+        auto planes = std::make_shared<AroundPlanes>(record, adjustment, channels, job.size);
+        Preparation(job, list, *planes, halo).run(progress);
+        list[i] = std::move(planes);
+    }
+    return list;
+}
+
+namespace {
+
+/// The rows of a component around a tile, each from its first texel on.
+std::vector<const float*> lines_around(const AroundTask& task, int component) {
+    const AroundPlanes& planes = *task.planes;
+    std::vector<const float*> lines;
+    for (int j = -planes.reach(); j <= planes.reach(); ++j)
+        lines.push_back(
+            planes.row(task.channel, component, wrapped(task.span.y + j, planes.size())) +
+            task.span.x);
+    return lines;
+}
+
+void blur_component(const AroundTask& task, int component, float* to) {
+    const std::vector<const float*> lines = lines_around(task, component);
+    blur_tile({.weights = task.planes->weights().data(),
+               .reach = task.planes->reach(),
+               .lines = lines.data(),
+               .count = task.span.count,
+               .sums = to});
+}
+
+/// Reads a plane where a warp takes the texels of a tile from, between four texels.
+class WarpedReader {
+  public:
+    explicit WarpedReader(const AroundTask& task) : task_(task) {
+        const AdjustmentSettings& adjustment = task.planes->adjustment();
+        warp_tile({.x = task.span.x,
+                   .y = task.span.y,
+                   .count = task.span.count,
+                   .size = static_cast<float>(task.span.size),
+                   .distance_texels = texels(adjustment.distance_permille, task.span.size),
+                   .cells = std::max(static_cast<int>(std::round(adjustment.scale)), 1),
+                   .octaves = adjustment.octaves,
+                   .seed = adjustment.seed,
+                   .right = right_,
+                   .down = down_});
+    }
+
+    void read(int component, float* to) const {
+        const int size = task_.span.size;
+        for (int i = 0; i < task_.span.count; ++i) {
+            const float whole_x = std::floor(right_[i]), whole_y = std::floor(down_[i]);
+            const float part_x = right_[i] - whole_x, part_y = down_[i] - whole_y;
+            const int x0 = wrapped(task_.span.x + i + static_cast<int>(whole_x), size);
+            const int y0 = wrapped(task_.span.y + static_cast<int>(whole_y), size);
+            const int x1 = x0 + 1 == size ? 0 : x0 + 1;
+            const int y1 = y0 + 1 == size ? 0 : y0 + 1;
+            const float* const above = task_.planes->row(task_.channel, component, y0);
+            const float* const below = task_.planes->row(task_.channel, component, y1);
+            to[i] = between(between(above[x0], above[x1], part_x),
+                            between(below[x0], below[x1], part_x), part_y);
+        }
+    }
+
+  private:
+    static float between(float a, float b, float t) { return a * (1.0f - t) + b * t; }
+
+    const AroundTask& task_;
+    alignas(64) float right_[kTileTexels];
+    alignas(64) float down_[kTileTexels];
+};
+
+}  // namespace
+
+void adjust_around(const AroundTask& task) {
+    const AroundPlanes& planes = *task.planes;
+    const int components = component_count(task.channel);
+    const int count = task.span.count;
+    const bool in_group = planes.record().depth > 0;
+    alignas(64) float coverage[kTileTexels];
+    if (planes.adjustment().kind == AdjustmentKind::Warp) {
+        const WarpedReader warped(task);
+        for (int k = 0; k < components; ++k) warped.read(k, task.to[k]);
+        if (in_group) warped.read(components, coverage);
+    } else {
+        for (int k = 0; k < components; ++k) blur_component(task, k, task.to[k]);
+        if (in_group) blur_component(task, components, coverage);
+    }
+    const ChannelKind kind = info(task.channel).kind;
+    for (int k = 0; k < components; ++k) {
+        if (in_group) divide_by_coverage_tile(task.to[k], coverage, task.own[k], count);
+        if (planes.adjustment().kind == AdjustmentKind::Sharpen)
+            sharpen_tile(task.to[k], task.own[k], planes.adjustment().amount,
+                         kind == ChannelKind::Color || kind == ChannelKind::Scalar, count);
+    }
+    if (kind == ChannelKind::Normal) normalise_tile(task.to, count);
+}
+
+}  // namespace patina

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+// Adjustments that look around: against definitions of their own in double precision, over borders,
+// in groups, and in parts of a map.
+#include "composite/around.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "composite/bake_channels.h"
+#include "composite/image_table.h"
+#include "core/formulae/formulae.h"
+
+namespace patina {
+namespace {
+
+constexpr int kSize = 40;
+
+/// Bytes of 0 to 255 in runs of a few texels.
+Image blocks(std::uint32_t seed, int channels) {
+    std::mt19937 random(seed);
+    Image image{.width = kSize, .height = kSize, .channels = channels};
+    image.data.resize(static_cast<std::size_t>(kSize * kSize * channels));
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x)
+            for (int k = 0; k < channels; ++k) {
+                const auto at = static_cast<std::size_t>((y * kSize + x) * channels + k);
+                const bool begins = x % 3 == 0 || random() % 4 == 0;
+                image.data[at] = begins ? static_cast<std::byte>(random() % 256)
+                                        : image.data[at - static_cast<std::size_t>(channels)];
+            }
+    return image;
+}
+
+double byte_at(const Image& image, int x, int y, int channel) {
+    const auto wrap = [](int i) { return ((i % kSize) + kSize) % kSize; };
+    const int at = (wrap(y) * kSize + wrap(x)) * image.channels + channel;
+    return static_cast<double>(image.data[static_cast<std::size_t>(at)]) / 255;
+}
+
+LayerPtr shared(Layer layer) {
+    return std::make_shared<const Layer>(std::move(layer));
+}
+
+Layer adjusting(const AdjustmentSettings& settings, Channel channel) {
+    Layer layer{.id = {2}, .content = AdjustmentContent{settings}};
+    at(layer.channels, channel).enabled = true;
+    return layer;
+}
+
+Layer filled(Channel channel, Source source) {
+    Layer layer{.id = {1}};
+    at(layer.channels, channel) = {.enabled = true, .source = std::move(source)};
+    return layer;
+}
+
+Material stack_of(std::vector<LayerPtr> stack) {
+    Material material;
+    material.stack = std::move(stack);
+    return material;
+}
+
+PixelVector<float> plane(const Material& material, ImageTable& images, Channel channel, int size,
+                         int component = 0) {
+    return bake_channels(Program::compile(material), images, size, {channel})
+        ->plane(channel, component);
+}
+
+/// The weights of a Gaussian of a third of the radius, lowered to 0 there, that sum up to 1.
+std::vector<double> gaussian(double radius) {
+    std::vector<double> weights;
+    double sum = 0;
+    for (int j = 0; j < radius; ++j) {
+        const double t = 3 * j / radius;
+        weights.push_back(std::exp(-t * t / 2) - std::exp(-4.5));
+        sum += (j == 0 ? 1 : 2) * weights.back();
+    }
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+/// The weighted mean of read(x, y) in the square around a texel.
+template <typename Read>
+double blurred(const std::vector<double>& weights, int x, int y, const Read& read) {
+    const int reach = static_cast<int>(weights.size()) - 1;
+    double sum = 0;
+    for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i)
+            sum += weights[static_cast<std::size_t>(std::abs(i))] *
+                   weights[static_cast<std::size_t>(std::abs(j))] * read(x + i, y + j);
+    return sum;
+}
+
+AdjustmentSettings blur_of(double radius_texels) {
+    AdjustmentSettings settings;
+    settings.kind = AdjustmentKind::Blur;
+    settings.radius_permille = static_cast<float>(radius_texels * 1000 / kSize);
+    return settings;
+}
+
+TEST(Around, ABlurIsTheGaussianMeanOverTheBordersOfTheTexture) {
+    ImageTable images;
+    const Image image = blocks(1, 1);
+    const Source source = ImageSource{.image = images.add(image), .pick = ChannelPick::Red};
+    for (const double radius : {0.7, 1.3, 2.0}) {
+        const auto baked = plane(stack_of({shared(filled(Channel::Roughness, source)),
+                                           shared(adjusting(blur_of(radius), Channel::Roughness))}),
+                                 images, Channel::Roughness, kSize);
+        const std::vector<double> weights = gaussian(radius);
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x)
+                ASSERT_NEAR(
+                    static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+                    blurred(weights, x, y, [&](int i, int j) { return byte_at(image, i, j, 0); }),
+                    2e-6)
+                    << radius << " at " << x << ", " << y;
+    }
+}
+
+TEST(Around, SharpeningAddsWhatABlurTakesAwayAndIsHeldToZeroToOne) {
+    ImageTable images;
+    const Image image = blocks(2, 1);
+    const Source source = ImageSource{.image = images.add(image), .pick = ChannelPick::Red};
+    AdjustmentSettings settings = blur_of(2);
+    settings.kind = AdjustmentKind::Sharpen;
+    settings.amount = 1.5f;
+    const auto baked = plane(stack_of({shared(filled(Channel::Metalness, source)),
+                                       shared(adjusting(settings, Channel::Metalness))}),
+                             images, Channel::Metalness, kSize);
+    const std::vector<double> weights = gaussian(2);
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const double own = byte_at(image, x, y, 0);
+            const double blur =
+                blurred(weights, x, y, [&](int i, int j) { return byte_at(image, i, j, 0); });
+            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+                        std::clamp(own + 1.5 * (own - blur), 0.0, 1.0), 5e-6);
+        }
+}
+
+/// Inside an isolated group, where a fill has holes: only what covers is mixed, and the holes stay.
+TEST(Around, InAGroupABlurMixesOnlyWhatCovers) {
+    ImageTable images;
+    const Image image = blocks(3, 4);
+    const Layer fill = filled(Channel::BaseColor,
+                              ImageSource{.image = images.add(image), .alpha_is_coverage = true});
+    Layer group{.id = {3}};
+    at(group.channels, Channel::BaseColor).enabled = true;
+    group.content =
+        GroupContent{.children = {shared(fill), shared(adjusting(blur_of(2), Channel::BaseColor))}};
+    const auto baked =
+        plane(stack_of({shared(group)}), images, Channel::BaseColor, kSize, /*component=*/1);
+    const std::vector<double> weights = gaussian(2);
+    const auto cover = [&](int i, int j) { return byte_at(image, i, j, 3); };
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const double sum = blurred(
+                weights, x, y, [&](int i, int j) { return cover(i, j) * byte_at(image, i, j, 1); });
+            const double mean = sum / blurred(weights, x, y, cover);
+            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+                        cover(x, y) * mean + (1 - cover(x, y)) * 0.5, 5e-6);
+        }
+}
+
+TEST(Around, AWarpTakesEachTexelFromWhereTheNoiseSays) {
+    ImageTable images;
+    const Image image = blocks(4, 1);
+    const Source source = ImageSource{.image = images.add(image), .pick = ChannelPick::Red};
+    AdjustmentSettings settings;
+    settings.kind = AdjustmentKind::Warp;
+    settings.distance_permille = 100.0f;
+    settings.scale = 5.0f;
+    settings.octaves = 2;
+    settings.seed = 9;
+    const auto baked = plane(stack_of({shared(filled(Channel::Roughness, source)),
+                                       shared(adjusting(settings, Channel::Roughness))}),
+                             images, Channel::Roughness, kSize);
+    int moved = 0;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const formulae::Real2 cell((static_cast<float>(x) + 0.5f) / kSize * 5,
+                                       (static_cast<float>(y) + 0.5f) / kSize * 5);
+            const formulae::Real2 direction =
+                formulae::warp_direction(cell, 5, 9u, 2, 5.0f / kSize);
+            const double px = x + 4.0 * static_cast<double>(direction.x);
+            const double py = y + 4.0 * static_cast<double>(direction.y);
+            const int x0 = static_cast<int>(std::floor(px)), y0 = static_cast<int>(std::floor(py));
+            const auto row = [&](int j) {
+                return std::lerp(byte_at(image, x0, j, 0), byte_at(image, x0 + 1, j, 0), px - x0);
+            };
+            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+                        std::lerp(row(y0), row(y0 + 1), py - y0), 1e-5);
+            moved += std::abs(px - x) > 0.5 ? 1 : 0;
+        }
+    EXPECT_GT(moved, kSize * kSize / 4);
+}
+
+TEST(Around, NothingIsMovedOrMixedByDistanceAndAmountOfZeroOrBelowATexel) {
+    ImageTable images;
+    const Source source = ImageSource{.image = images.add(blocks(5, 3))};
+    const Layer fill = filled(Channel::BaseColor, source);
+    const auto plain = plane(stack_of({shared(fill)}), images, Channel::BaseColor, kSize);
+    AdjustmentSettings still;
+    still.kind = AdjustmentKind::Warp;
+    still.distance_permille = 0.0f;
+    AdjustmentSettings blunt = blur_of(2);
+    blunt.kind = AdjustmentKind::Sharpen;
+    blunt.amount = 0.0f;
+    for (const AdjustmentSettings& settings : {still, blunt, blur_of(0.9)})
+        EXPECT_EQ(plane(stack_of({shared(fill), shared(adjusting(settings, Channel::BaseColor))}),
+                        images, Channel::BaseColor, kSize),
+                  plain);
+}
+
+TEST(Around, ABlurredNormalIsAUnitVectorAndFlatStaysFlat) {
+    ImageTable images;
+    const Source bumps = ImageSource{.image = images.add(blocks(6, 3)),
+                                     .multiply = glm::vec3(0.4f),
+                                     .add = glm::vec3(0.0f, 0.0f, 0.6f)};
+    const Material material = stack_of(
+        {shared(filled(Channel::Normal, bumps)), shared(adjusting(blur_of(2), Channel::Normal))});
+    const auto x = plane(material, images, Channel::Normal, kSize, 0);
+    const auto y = plane(material, images, Channel::Normal, kSize, 1);
+    const auto z = plane(material, images, Channel::Normal, kSize, 2);
+    double rough = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        ASSERT_NEAR(x[i] * x[i] + y[i] * y[i] + z[i] * z[i], 1.0f, 1e-5f);
+        rough += std::abs(static_cast<double>(x[i]));
+    }
+    const auto sharp = plane(stack_of({material.stack[0]}), images, Channel::Normal, kSize, 0);
+    double before = 0;
+    for (const float value : sharp) before += std::abs(static_cast<double>(value));
+    EXPECT_LT(rough, before);
+    const Layer flat = filled(Channel::Normal, ConstantSource{{0.0f, 0.0f, 1.0f}});
+    for (const float value :
+         plane(stack_of({shared(flat), material.stack[1]}), images, Channel::Normal, kSize, 2))
+        ASSERT_EQ(value, 1.0f);
+}
+
+/// Whatever the resolution, the same picture: means of four texels of the larger map are those of
+/// the smaller one, but for what the smaller cannot show.
+TEST(Around, TheLookDoesNotDependOnTheResolution) {
+    ImageTable images;
+    const Source noise = ProceduralSource{.scale = 6.0f, .octaves = 2};
+    for (const AdjustmentKind kind :
+         {AdjustmentKind::Blur, AdjustmentKind::Sharpen, AdjustmentKind::Warp}) {
+        AdjustmentSettings settings;
+        settings.kind = kind;
+        settings.radius_permille = 40.0f;
+        settings.distance_permille = 50.0f;
+        const Material material = stack_of({shared(filled(Channel::Roughness, noise)),
+                                            shared(adjusting(settings, Channel::Roughness))});
+        const auto small = plane(material, images, Channel::Roughness, 128);
+        const auto large = plane(material, images, Channel::Roughness, 256);
+        for (std::size_t y = 0; y < 128; ++y)
+            for (std::size_t x = 0; x < 128; ++x) {
+                const std::size_t at = 2 * y * 256 + 2 * x;
+                const float mean =
+                    0.25f * (large[at] + large[at + 1] + large[at + 256] + large[at + 257]);
+                ASSERT_NEAR(small[y * 128 + x], mean, 0.02f) << static_cast<int>(kind);
+            }
+    }
+}
+
+TEST(Around, AnEditOfAPartChangesWhatTheBlurAndTheWarpAboveReach) {
+    ImageTable images;
+    const Image before = blocks(7, 3);
+    Image after = before;
+    const TexelRect dab{12, 20, 16, 23};
+    for (int y = dab.y0; y < dab.y1; ++y)
+        for (int x = dab.x0; x < dab.x1; ++x)
+            for (int k = 0; k < 3; ++k)
+                after.data[static_cast<std::size_t>((y * kSize + x) * 3 + k)] = std::byte{255};
+    AdjustmentSettings warp;
+    warp.kind = AdjustmentKind::Warp;
+    warp.distance_permille = 60.0f;
+    const auto program_of = [&](const Image& image) {
+        Layer fill = filled(Channel::BaseColor, ImageSource{.image = images.add(image),
+                                                            .color_space = ColorSpace::Srgb});
+        return Program::compile(
+            stack_of({shared(fill), shared(adjusting(blur_of(2), Channel::BaseColor)),
+                      shared(adjusting(warp, Channel::BaseColor))}));
+    };
+    const Program old_program = program_of(before), new_program = program_of(after);
+    LiveComposite live;
+    ASSERT_TRUE(live.update(old_program, images, kSize));
+    const auto update = live.update_within(dab, new_program, images, kSize);
+    ASSERT_TRUE(update.has_value());
+    EXPECT_LT(update->changed.x1 - update->changed.x0, kSize);
+    const MapSet cold = bake_maps(new_program, images, kSize, {BakedMap::BaseColor}).value();
+    EXPECT_EQ(*live.maps()[BakedMap::BaseColor], *cold[BakedMap::BaseColor]);
+}
+
+TEST(Around, WhatIsTheSameEverywhereStaysAFactor) {
+    const Material material =
+        stack_of({shared(filled(Channel::Roughness, ConstantSource{{0.3f, 0, 0}})),
+                  shared(adjusting(blur_of(2), Channel::Roughness))});
+    const auto& slot =
+        Program::compile(material).slots()[static_cast<std::size_t>(Slot::MetallicRoughness)];
+    EXPECT_EQ(slot, SlotPlan(SlotConstant{{0.0f, 0.3f, 0.0f, 0.0f}}));
+}
+
+}  // namespace
+}  // namespace patina
