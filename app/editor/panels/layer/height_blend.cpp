@@ -32,9 +32,11 @@ Requests draw_height_blend(Ui& ui, Rect& rest, const LayerSubject& subject) {
         change(changed, Parameter::HeightBlendEnabled);
     }
     if (!now.enabled) return requests;
+    // Three in a line would leave no room for their names.
     rest.cut_top(ui.px(theme::kGap));
-    const auto boxes =
-        side_by_side<3>(ui, rest.cut_top(ui.px(theme::kFieldHeight)).inset(ui.px(12), 0));
+    Rect rows = rest.cut_top(ui.px(2 * theme::kFieldHeight + theme::kGap)).inset(ui.px(12), 0);
+    const auto first = side_by_side<2>(ui, next_line(ui, rows));
+    const std::array<Rect, 3> boxes = {first[0], first[1], rows};
     for (std::size_t i = 0; i < kFields.size(); ++i) {
         const auto next = number_field(ui, boxes[i], number_spec(kFields[i].parameter),
                                        static_cast<double>(now.*kFields[i].member));
