@@ -267,6 +267,9 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("X")
         ->capture_default_str();
+    command.add_flag("!--no-shadows", view.shadows,
+                     "Let suns of the environment, directional lights and the light of the "
+                     "traditional models cast none");
 }
 
 /// Two hexadecimal digits at each of three places after '#'.

@@ -49,7 +49,8 @@ Status add_radiance(RendererState& state, const View& view, PictureSize size,
                        .output = OutputMode::Radiance,
                        .add = true,
                        .jitter_pixels = sample_offset(draw.index),
-                       .still = draw.still});
+                       .still = draw.still,
+                       .draw_index = draw.index});
 }
 
 }  // namespace patina::render

@@ -35,7 +35,8 @@ Status draw_side_with_blended(RendererState& state, const SideView& side, const 
         .framebuffer = *radiance,
         .area = {target.area.offset - target.picture_offset, target.area.size},
         .output = OutputMode::Radiance,
-        .still = target.still};
+        .still = target.still,
+        .draw_index = target.draw_index};
     if (Status done = draw_lighting(state, bare_side, camera, inputs, local); !done) return done;
     if (Status done = draw_blended(state, bare_side, camera, local); !done) return done;
     return draw_post(state, side, camera, {*radiance}, target);
@@ -154,6 +155,7 @@ SideArea side_area(const View& view, glm::ivec2 size, FrameSide side) {
 
 Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size) {
     state.timers.begin_frame();
+    if (Status shadowed = draw_shadow_maps(state, view); !shadowed) return passed_on(shadowed);
     const FrameCamera camera = frame_camera(view, state.scene->bounds_world, size, glm::vec2(0.0f));
     const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
     if (!inputs) return passed_on(inputs);
@@ -164,6 +166,7 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                   const FrameTarget& target) {
     state.timers.begin_frame();
     state.drawn_view = view;
+    if (Status shadowed = draw_shadow_maps(state, view); !shadowed) return shadowed;
     const glm::ivec2 gbuffer_size = side_area(view, size, FrameSide::Left).gbuffer_size;
     const FrameCamera camera =
         frame_camera(view, state.scene->bounds_world, gbuffer_size, target.jitter_pixels);
@@ -173,7 +176,8 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                               .area = {{0, 0}, size},
                               .output = target.output,
                               .add = target.add,
-                              .still = target.still};
+                              .still = target.still,
+                              .draw_index = target.draw_index};
     switch (view.compare) {
         case CompareMode::Single:
             return draw_side(state, {view, view.left, FrameSide::Left}, camera, *inputs, whole);
@@ -209,6 +213,7 @@ Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumb
                         const gl::Framebuffer& target) {
     View shown = view;
     shown.compare = CompareMode::Single;
+    if (Status shadowed = draw_shadow_maps(state, shown); !shadowed) return shadowed;
     const FrameCamera camera =
         frame_camera(shown, state.scene->bounds_world, thumbnail, glm::vec2(0.0f));
     // The finished picture wants blended surfaces apart, the channels want them in the G-buffer.

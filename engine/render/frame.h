@@ -14,6 +14,7 @@ struct FrameTarget {
     bool add = false;                           ///< to what the target holds, for averages
     glm::vec2 jitter_pixels = glm::vec2(0.0f);  ///< see frame_camera
     std::optional<StillDraw> still = {};        ///< see PictureTarget
+    int draw_index = 0;
 };
 
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,

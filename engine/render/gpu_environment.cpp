@@ -2,6 +2,7 @@
 #include "render/gpu_environment.h"
 
 #include <array>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <span>
 
@@ -73,13 +74,16 @@ glm::mat3 environment_from_world(float rotation_degrees) {
 
 namespace {
 
+/// A sun is no even disc: of its radius, where what is drawn of the map is in its shadow.
+constexpr float kSunReach = 1.5f;
+
 /// Laid out as passes/environment.glsl says.
 void set_suns(gl::Program& program, const std::vector<EnvironmentSun>& suns) {
     std::array<glm::vec4, kMostSuns> towards = {};
     std::array<glm::vec4, kMostSuns> irradiance = {};
     for (std::size_t i = 0; i < suns.size(); ++i) {
         towards[i] = {suns[i].towards_world, suns[i].radius_radians};
-        irradiance[i] = {suns[i].irradiance_linear, 0.0f};
+        irradiance[i] = {suns[i].irradiance_linear, std::cos(kSunReach * suns[i].radius_radians)};
     }
     program.set("sun_count", static_cast<int>(suns.size()));
     program.set("sun_towards[0]", std::span<const glm::vec4>(towards));

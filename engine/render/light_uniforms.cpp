@@ -29,11 +29,6 @@ void fill(LightArrays& arrays, std::size_t i, const Light& light) {
     arrays.cone_offset[i] = -outer * scale;
 }
 
-glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment) {
-    return glm::transpose(environment_from_world(view.environment_rotation_degrees)) *
-           environment.key_direction_environment;
-}
-
 /// The way to the light whose terms are shown alone: the first lamp, or the environment's
 /// strongest.
 glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
@@ -45,6 +40,11 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
 }
 
 }  // namespace
+
+glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment) {
+    return glm::transpose(environment_from_world(view.environment_rotation_degrees)) *
+           environment.key_direction_environment;
+}
 
 void set_lighting(gl::Program& program, const View& view, const Shading& shading,
                   const GpuEnvironment& environment) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kFullScreenVertexFile = "passes/full_screen.vert";
 constexpr gl::State kFullScreenState{.depth_test = gl::DepthTest::Off, .write_depth = false};
 
-// Texture units; 0 to 4 belong to materials and 8 to 10 to the environment.
+// Texture units; 0 to 4 belong to materials, 8 to 11 to the environment and 12 to shadows.
 constexpr int kGBufferUnit = 0;
 constexpr int kDepthUnit = 5;
 constexpr int kInspectionUnit = 6;
@@ -23,8 +23,9 @@ constexpr std::array<const char*, 5> kGBufferSamplers = {
 
 using Constants = std::vector<gl::ShaderDefine>;
 
-void add_shading_constants(Constants& constants, const Shading& shading,
+void add_shading_constants(Constants& constants, const RendererState& state, const Shading& shading,
                            const PictureTarget& target) {
+    constants.push_back(shader_constant("SHADOW_COUNT", state.shadow_maps.plan.lights.size()));
     constants.push_back(shader_constant("SHADING_MODEL", shading.model));
     constants.push_back(shader_constant("DISTRIBUTION", shading.terms.distribution));
     constants.push_back(shader_constant("GEOMETRY", shading.terms.geometry));
@@ -78,6 +79,7 @@ void bind_light(gl::Pass& pass, gl::Program& program, const RendererState& state
     bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
                      side.view);
     set_lighting(program, side.view, side.shading, *state.environment);
+    bind_shadows(pass, program, state, target.draw_index);
 }
 
 /// What is black and white in a channel that is fitted to the scene.
@@ -113,10 +115,10 @@ bool has_surface_target(const LightingInputs& inputs) {
            inputs.gbuffer->description().colors.size() == kGBufferSamplers.size();
 }
 
-ShaderVariant lighting_variant(const SideView& side, const LightingInputs& inputs,
-                               const PictureTarget& target) {
+ShaderVariant lighting_variant(const RendererState& state, const SideView& side,
+                               const LightingInputs& inputs, const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/lighting.frag", {}};
-    add_shading_constants(variant.constants, side.shading, target);
+    add_shading_constants(variant.constants, state, side.shading, target);
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, side.view);
     variant.constants.push_back(shader_constant("CHANNEL", side.view.channel));
@@ -147,7 +149,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
                      const LightingInputs& inputs, const PictureTarget& target,
                      const std::optional<glm::ivec2>& only_pixel) {
     const Result<gl::Program*> found =
-        state.shaders.program(lighting_variant(side, inputs, target));
+        state.shaders.program(lighting_variant(state, side, inputs, target));
     if (!found) return passed_on(found);
     gl::Program& program = **found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Lighting");
@@ -166,7 +168,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
 Status draw_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
                     const PictureTarget& target) {
     ShaderVariant variant{"passes/surface.vert", "passes/forward.frag", {}};
-    add_shading_constants(variant.constants, side.shading, target);
+    add_shading_constants(variant.constants, state, side.shading, target);
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
     gl::Program& program = **found;

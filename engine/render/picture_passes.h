@@ -20,6 +20,7 @@ struct PictureTarget {
     bool add = false;  ///< to what the target holds, for averages
     /// Set: the environment is sampled, and this draw takes its share; else it is read filtered.
     std::optional<StillDraw> still = {};
+    int draw_index = 0;  ///< of several that are averaged: soft shadows take other taps in each
 };
 
 /// One side of a view.

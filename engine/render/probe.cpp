@@ -57,6 +57,8 @@ struct ProbeTargets {
 
 /// Draws the G-buffer of the last view at that pixel.
 Result<ProbeTargets> probe_targets(RendererState& state, const Place& place) {
+    if (Status shadowed = draw_shadow_maps(state, state.last_view); !shadowed)
+        return passed_on(shadowed);
     const FrameCamera camera = frame_camera(state.last_view, state.scene->bounds_world,
                                             place.gbuffer_size, glm::vec2(0.0f));
     const Result<gl::Framebuffer*> gbuffer = draw_gbuffer(

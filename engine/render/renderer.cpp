@@ -127,15 +127,18 @@ Status Renderer::set_scene(const ScenePtr& scene) {
     if (!shadow) return passed_on(shadow);
     state_->scene = std::move(uploaded);
     state_->shadow = std::move(*shadow);
+    state_->shadow_maps.stale = true;
     return {};
 }
 
 Status Renderer::set_material(int source_material, const SurfaceMaterial& surface,
                               const std::optional<TexelRect>& changed) {
+    state_->shadow_maps.stale = true;
     return state_->materials.set(source_material, surface, changed);
 }
 
 void Renderer::clear_materials() {
+    state_->shadow_maps.stale = true;
     state_->materials.clear();
 }
 

@@ -18,6 +18,7 @@
 #include "render/pass_timers.h"
 #include "render/renderer.h"
 #include "render/shader_variants.h"
+#include "render/shadow_maps.h"
 
 namespace patina::render {
 
@@ -59,6 +60,7 @@ struct RendererState {
     std::optional<SampledEnvironment> sampled_environment;  ///< made for the first still
     std::optional<GpuScene> scene;
     GpuGroundShadow shadow;
+    ShadowMaps shadow_maps;
 
     GBufferTargets gbuffer;
     GBufferTargets strip_gbuffer;

@@ -48,8 +48,11 @@ Status add_sample(RendererState& state, const View& view, PictureSize size, int 
     const bool sampled = samples_environment(view, samples, output);
     if (sampled && output != OutputMode::Radiance)
         return add_radiance(state, view, size, **sum, {i, StillDraw{i, samples}});
-    FrameTarget target{
-        .framebuffer = *sum, .output = output, .add = true, .jitter_pixels = sample_offset(i)};
+    FrameTarget target{.framebuffer = *sum,
+                       .output = output,
+                       .add = true,
+                       .jitter_pixels = sample_offset(i),
+                       .draw_index = i};
     if (sampled) {
         if (Status ready = ready_to_sample(state); !ready) return ready;
         target.still = StillDraw{i, samples};

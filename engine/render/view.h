@@ -80,7 +80,10 @@ struct View {
 
     Background background;
     bool ground_shadow = true;  ///< contact shadow on the floor; Studio only
-    float exposure_ev = 0.0f;   ///< radiance is multiplied by 2^EV
+    /// Suns of the environment, directional lamps and the key light of the traditional models cast
+    /// shadows on the model.
+    bool shadows = true;
+    float exposure_ev = 0.0f;  ///< radiance is multiplied by 2^EV
     ToneMap tone_map = ToneMap::PbrNeutral;
     AntiAliasing anti_aliasing = AntiAliasing::Fast;
     bool operator==(const View&) const = default;

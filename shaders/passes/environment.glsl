@@ -14,7 +14,7 @@ uniform float environment_intensity;
 const int MOST_SUNS = 4;
 uniform int sun_count;
 uniform vec4 sun_towards[MOST_SUNS];     // unit, of the map; w: radius in radians
-uniform vec4 sun_irradiance[MOST_SUNS];  // on a surface that faces it
+uniform vec4 sun_irradiance[MOST_SUNS];  // on a surface that faces it; w: cosine of its reach
 
 /// Radiance from a direction, seen by a surface of that roughness.
 vec3 environment_radiance(vec3 direction_world, float roughness) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Light on a surface: the same text for the deferred pass and for blended surfaces.
 // Constants: SHADING_MODEL, DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE, MULTIPLE_SCATTERING; they are
-// the enumerators of engine/render/shading.h. SAMPLED_ENVIRONMENT: 1 in stills that converge.
+// the enumerators of engine/render/shading.h. SAMPLED_ENVIRONMENT: 1 in stills that converge. Those
+// of shadows.glsl.
 
+#include "passes/camera.glsl"
 #include "passes/environment.glsl"
 #include "passes/environment_samples.glsl"
 #include "passes/lights.glsl"
+#include "passes/shadows.glsl"
 #include "shared/brdf.glsl"
 #include "shared/phong.glsl"
 
@@ -74,6 +77,30 @@ void add_environment_light(inout Lit lit, Surface s, PbrSurface p, vec3 v, vec3 
         specular_share * light * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
 }
 
+/// What of the environment's suns reaches a surface.
+float[MOST_SUNS] suns_reaching(Surface s) {
+    float reaching[MOST_SUNS] = float[MOST_SUNS](1.0, 1.0, 1.0, 1.0);
+    for (int i = 0; i < sun_shadow_count; ++i)
+        reaching[i] = light_reaching(i, s.position, s.normal,
+                                     sun_towards[i].xyz * environment_from_world, picture_pixel());
+    return reaching;
+}
+
+/// What of the light from a direction of the map reaches a surface.
+float map_reaching(float suns[MOST_SUNS], vec3 direction_map) {
+    float reaching = 1.0;
+    for (int i = 0; i < sun_shadow_count; ++i)
+        if (dot(direction_map, sun_towards[i].xyz) > sun_irradiance[i].w) reaching = suns[i];
+    return reaching;
+}
+
+/// What of a lamp reaches a surface.
+float lamp_reaching(int i, Surface s, vec3 towards) {
+    int map = int(light_shadow[i]);
+    if (map < 0) return 1.0;
+    return light_reaching(map, s.position, s.normal, towards, picture_pixel());
+}
+
 /// The filtered environment and its suns.
 void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
     // The split sum: what is mirrored of a uniform environment, times the filtered one.
@@ -83,15 +110,17 @@ void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
     vec3 entering = 1.0 - mix(p.dielectric, vec3(s.f90), schlick_mean(p.n_dot_v));
     lit.diffuse_ambient = s.occlusion * p.diffuse * entering * environment_diffuse(s.normal);
     float missing = suns_missing(p.environment.level_share);
+    float reaching[MOST_SUNS] = suns_reaching(s);
     for (int i = 0; i < sun_count; ++i)
         add_environment_light(lit, s, p, v, sun_towards[i].xyz * environment_from_world,
-                              sun_irradiance[i].rgb, missing,
+                              reaching[i] * sun_irradiance[i].rgb, missing,
                               roughness_under_disc(s.roughness, sun_towards[i].w));
 }
 
 /// One draw's share of the integral over the environment.
 void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
     float alpha = alpha_from_roughness(s.roughness);
+    float suns[MOST_SUNS] = suns_reaching(s);
     for (int i = 0; i < light_sample_count; ++i) {
         vec3 l = light_sample_towards[i].xyz * environment_from_world;
         ReflectionAngles angles = reflection_angles(s.normal, v, l);
@@ -100,7 +129,9 @@ void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
         float by_lobe =
             float(LOBE_SAMPLES) * ggx_visible_density(angles.n_dot_h, angles.n_dot_v, alpha);
         float drawn = float(light_sample_count) * light_sample_towards[i].w;
-        add_environment_light(lit, s, p, v, l, radiance * (by_light / (by_light + by_lobe) / drawn),
+        float weight = by_light / (by_light + by_lobe) / drawn;
+        add_environment_light(lit, s, p, v, l,
+                              map_reaching(suns, light_sample_towards[i].xyz) * weight * radiance,
                               1.0, s.roughness);
     }
     vec3 across = v - dot(v, s.normal) * s.normal;
@@ -114,9 +145,12 @@ void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
         vec3 l = world_from_tangent * reflect(-v_tangent, h);
         if (dot(l, s.normal) <= 0.0) continue;
         float density = ggx_visible_density(h.z, p.n_dot_v, alpha);
-        vec3 radiance = map_radiance(environment_from_world * l, level_for_density(density));
+        vec3 direction_map = environment_from_world * l;
+        vec3 radiance = map_radiance(direction_map, level_for_density(density));
         float by_either = light_density(radiance) + float(LOBE_SAMPLES) * density;
-        add_environment_light(lit, s, p, v, l, radiance / by_either, 1.0, s.roughness);
+        add_environment_light(lit, s, p, v, l,
+                              map_reaching(suns, direction_map) / by_either * radiance, 1.0,
+                              s.roughness);
     }
 }
 
@@ -134,7 +168,8 @@ Lit lit_pbr(Surface s, vec3 v) {
     for (int i = 0; i < light_count; ++i) {
         Incident light = incident_light(i, s.position);
         ReflectionAngles angles = reflection_angles(s.normal, v, light.direction);
-        vec3 received = light.irradiance * angles.n_dot_l;
+        vec3 received =
+            lamp_reaching(i, s, light.direction) * light.irradiance * angles.n_dot_l;
         lit.diffuse_direct +=
             received * brdf_diffuse(TERMS, angles, p.diffuse, p.dielectric, s.f90, s.roughness);
         lit.specular_direct +=
@@ -174,10 +209,14 @@ Lit lit_traditional(Surface s, vec3 v) {
     Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     PhongMaterial m = traditional_material(s);
     lit.diffuse_ambient = ambient_radiance * m.diffuse * s.occlusion;
-    add_traditional_light(lit, m, s.normal, v, ambient_key_direction, ambient_key_irradiance);
+    float key = key_shadow < 0 ? 1.0
+                               : light_reaching(key_shadow, s.position, s.normal,
+                                                ambient_key_direction, picture_pixel());
+    add_traditional_light(lit, m, s.normal, v, ambient_key_direction, key * ambient_key_irradiance);
     for (int i = 0; i < light_count; ++i) {
         Incident light = incident_light(i, s.position);
-        add_traditional_light(lit, m, s.normal, v, light.direction, light.irradiance);
+        add_traditional_light(lit, m, s.normal, v, light.direction,
+                              lamp_reaching(i, s, light.direction) * light.irradiance);
     }
     return lit;
 }

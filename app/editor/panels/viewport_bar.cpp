@@ -144,6 +144,10 @@ void background_menu(Ui& ui, ViewState& state) {
                        .tooltip = choice.tooltip}))
             view.background.kind = choice.value;
     menu.separator();
+    if (menu.item({.label = "Shadows",
+                   .ticked = view.shadows,
+                   .tooltip = "Of suns in the environment, directional lights and Phong's light"}))
+        view.shadows = !view.shadows;
     if (menu.item({.label = "Ground shadow", .ticked = view.ground_shadow}))
         view.ground_shadow = !view.ground_shadow;
     const bool smooth = view.anti_aliasing == render::AntiAliasing::Fast;

@@ -198,6 +198,10 @@ TEST_F(FrameTest, TheStripHoldsTenThumbnailsOfWhichTheFirstIsThePicture) {
 TEST_F(FrameTest, CostsNameEachPassAndCountTheGBuffer) {
     view_.compare = CompareMode::Split;
     picture(view_);
+    // Phong's light has a shadow, which is drawn once.
+    ASSERT_EQ(renderer().stats().left.passes.size(), 3u);
+    EXPECT_EQ(renderer().stats().left.passes[0].name, "Shadows");
+    picture(view_);
     const FrameStats stats = renderer().stats();
     ASSERT_TRUE(stats.right);
     ASSERT_EQ(stats.left.passes.size(), 2u);

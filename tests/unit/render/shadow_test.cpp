@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+
+/// Shadows of lights that are far away.
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/render_test.h"
+
+namespace patina::render {
+namespace {
+
+constexpr PictureSize kPicture = {128, 128};
+
+class ShadowTest : public RenderTest {
+  protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.8f), 0.0f, 1.0f)));
+        view_.environment_intensity = 0.0f;
+    }
+    /// A floor of 6 m with a sphere of 1 m whose middle is 1 m above it.
+    void show_sphere_over_floor() {
+        auto scene = std::make_shared<Scene>();
+        scene->meshes = {shape_mesh(Shape::Plane), shape_mesh(Shape::Sphere)};
+        scene->instances = {
+            {.mesh = 0,
+             .world_from_local = glm::scale(glm::mat4(1.0f), glm::vec3(6.0f, 1.0f, 6.0f)),
+             .name = "floor"},
+            {.mesh = 1,
+             .world_from_local = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.5f, 0.0f)),
+             .name = "sphere"}};
+        show(scene);
+        view_.camera.position = {0.0f, 4.0f, 6.0f};
+        view_.camera.target = {0.0f, 0.5f, 0.0f};
+    }
+    Image raw(ChannelView channel, bool shadows, int samples = 1) {
+        View view = view_;
+        view.channel = channel;
+        view.shadows = shadows;
+        return value_of(renderer().still_linear(view, kPicture, samples));
+    }
+    /// Of direct light, where there is any without shadows.
+    struct Seen {
+        glm::vec3 position;
+        float share;  ///< of the light that it would have without shadows
+    };
+    std::vector<Seen> seen(ChannelView light, int samples = 1) {
+        const Image position = raw(ChannelView::Position, false);
+        const Image without = raw(light, false, samples);
+        const Image with = raw(light, true, samples);
+        std::vector<Seen> result;
+        for (int y = 0; y < kPicture.height; ++y)
+            for (int x = 0; x < kPicture.width; ++x) {
+                const glm::vec4 at = pixel_of(position, x, y);
+                const float whole = pixel_of(without, x, y).g;
+                if (at.a < 1.0f || whole < 0.02f) continue;
+                result.push_back({glm::vec3(at), pixel_of(with, x, y).g / whole});
+            }
+        return result;
+    }
+};
+
+TEST_F(ShadowTest, ALampLeavesInTheDarkWhatTheSphereHidesAndNothingElse) {
+    show_sphere_over_floor();
+    for (const glm::vec3& travel : {glm::vec3(0.0f, -1.0f, 0.0f), glm::vec3(0.5f, -1.0f, -0.3f),
+                                    glm::vec3(-1.5f, -1.0f, 0.2f)}) {
+        view_.lights = {{.kind = Light::Kind::Directional,
+                         .name = "lamp",
+                         .intensity = 3.0f,
+                         .direction_world = travel}};
+        const glm::vec3 towards = -glm::normalize(travel);
+        int dark = 0;
+        int lit = 0;
+        for (const Seen& each : seen(ChannelView::DiffuseDirect)) {
+            if (each.position.y > 0.01f) {  // the sphere hides nothing of itself
+                EXPECT_NEAR(each.share, 1.0f, 1e-3f)
+                    << each.position.x << " " << each.position.y << " " << each.position.z;
+                continue;
+            }
+            const glm::vec3 from_middle = each.position - glm::vec3(0.0f, 1.0f, 0.0f);
+            const float aside = glm::length(from_middle - glm::dot(from_middle, towards) * towards);
+            if (std::abs(aside - 0.5f) < 0.03f) continue;  // the edge
+            EXPECT_NEAR(each.share, aside < 0.5f ? 0.0f : 1.0f, 1e-3f)
+                << aside << " m beside the middle of the shadow";
+            ++(aside < 0.5f ? dark : lit);
+        }
+        EXPECT_GT(dark, 50);
+        EXPECT_GT(lit, 1000);
+    }
+}
+
+/// A plate whose edge is the line x = 0, z = any, high above a floor.
+TEST_F(ShadowTest, TheEdgeOfASunsShadowIsAsSoftAsTheSunIsWide) {
+    constexpr float kHeight = 2.0f;
+    constexpr float kRadius = 0.04f;
+    auto scene = std::make_shared<Scene>();
+    scene->meshes = {shape_mesh(Shape::Plane)};
+    scene->instances = {
+        {.mesh = 0,
+         .world_from_local = glm::scale(glm::mat4(1.0f), glm::vec3(3.0f, 1.0f, 3.0f)),
+         .name = "floor"},
+        {.mesh = 0,
+         .world_from_local =
+             glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(-1.5f, kHeight, 0.0f)),
+                        glm::vec3(3.0f, 1.0f, 6.0f)),
+         .name = "plate"}};
+    show(scene);
+    FilteredEnvironment sun = filtered_builtin("white");
+    sun.suns = {{.towards_world = {0.0f, 1.0f, 0.0f},
+                 .irradiance_linear = glm::vec3(100.0f),
+                 .radius_radians = kRadius}};
+    ASSERT_TRUE(renderer().set_environment(sun));
+    view_.environment_intensity = 1.0f;
+    view_.camera = {.position = {0.9f, 0.9f, 0.0f}, .target = {0.0f, 0.0f, 0.0f}};
+    double error = 0.0;
+    int count = 0;
+    float softest = 0.0f;
+    for (const Seen& each : seen(ChannelView::DiffuseAmbient, 32)) {
+        const float t = std::clamp(each.position.x / (kHeight * std::tan(kRadius)), -1.0f, 1.0f);
+        const float expected =
+            0.5f + (std::asin(t) + t * std::sqrt(1.0f - t * t)) / glm::pi<float>();
+        // The white map's own light is a thirtieth of the sun's.
+        const float share = (each.share * (100.0f + glm::pi<float>()) - glm::pi<float>()) / 100.0f;
+        error += (share - expected) * (share - expected);
+        softest = std::max(softest, 0.5f - std::abs(share - 0.5f));
+        ++count;
+    }
+    EXPECT_GT(count, 1000);
+    EXPECT_GT(softest, 0.4f);
+    EXPECT_LT(std::sqrt(error / count), 0.05);
+}
+
+TEST_F(ShadowTest, TheKeyLightOfPhongCastsOneToo) {
+    show_sphere_over_floor();
+    view_.left.model = ShadingModel::Phong;
+    FilteredEnvironment above = filtered_builtin("white");
+    above.key_direction_world = {0.0f, -1.0f, 0.0f};
+    above.key_irradiance_linear = glm::vec3(3.0f);
+    ASSERT_TRUE(renderer().set_environment(above));
+    view_.environment_intensity = 1.0f;
+    for (const Seen& each : seen(ChannelView::DiffuseDirect)) {
+        const float aside = glm::length(glm::vec2(each.position.x, each.position.z));
+        if (each.position.y > 0.01f || std::abs(aside - 0.5f) < 0.06f) continue;
+        EXPECT_NEAR(each.share, aside < 0.5f ? 0.0f : 1.0f, 1e-3f) << aside;
+    }
+}
+
+TEST_F(ShadowTest, WhatAnAlphaMaskCutsOutCastsNone) {
+    show_sphere_over_floor();
+    view_.lights = {
+        {.kind = Light::Kind::Directional, .name = "lamp", .direction_world = {0.0f, -1.0f, 0.0f}}};
+    ASSERT_FALSE(seen(ChannelView::DiffuseDirect).empty());
+    SurfaceMaterial gone = constant_surface(glm::vec3(0.8f), 0.0f, 1.0f);
+    gone.alpha_mode = AlphaMode::Mask;
+    gone[Slot::BaseColor].multiply.a = 0.2f;
+    auto scene = std::make_shared<Scene>();
+    scene->meshes = {shape_mesh(Shape::Plane), shape_mesh(Shape::Sphere)};
+    for (Primitive& primitive : scene->meshes[1].primitives) primitive.source_material = 1;
+    scene->instances = {
+        {.mesh = 0,
+         .world_from_local = glm::scale(glm::mat4(1.0f), glm::vec3(6.0f, 1.0f, 6.0f)),
+         .name = "floor"},
+        {.mesh = 1,
+         .world_from_local = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.5f, 0.0f)),
+         .name = "sphere"}};
+    ASSERT_TRUE(renderer().set_scene(scene));
+    const auto darkest = [&] {
+        float least = 1.0f;
+        for (const Seen& each : seen(ChannelView::DiffuseDirect))
+            least = std::min(least, each.share);
+        return least;
+    };
+    EXPECT_EQ(darkest(), 0.0f);
+    ASSERT_TRUE(renderer().set_material(1, gone));  // the map is drawn anew
+    EXPECT_EQ(darkest(), 1.0f);
+}
+
+}  // namespace
+}  // namespace patina::render
