@@ -18,15 +18,20 @@ namespace {
 
 constexpr int kSize = 40;
 
+std::size_t index_of(int x, int y, int channels, int channel) {
+    const auto texel = static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+    return texel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(channel);
+}
+
 /// Bytes of 0 to 255 in runs of a few texels.
 Image blocks(std::uint32_t seed, int channels) {
     std::mt19937 random(seed);
     Image image{.width = kSize, .height = kSize, .channels = channels};
-    image.data.resize(static_cast<std::size_t>(kSize * kSize * channels));
+    image.data.resize(index_of(0, kSize, channels, 0));
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
             for (int k = 0; k < channels; ++k) {
-                const auto at = static_cast<std::size_t>((y * kSize + x) * channels + k);
+                const std::size_t at = index_of(x, y, channels, k);
                 const bool begins = x % 3 == 0 || random() % 4 == 0;
                 image.data[at] = begins ? static_cast<std::byte>(random() % 256)
                                         : image.data[at - static_cast<std::size_t>(channels)];
@@ -36,8 +41,8 @@ Image blocks(std::uint32_t seed, int channels) {
 
 double byte_at(const Image& image, int x, int y, int channel) {
     const auto wrap = [](int i) { return ((i % kSize) + kSize) % kSize; };
-    const int at = (wrap(y) * kSize + wrap(x)) * image.channels + channel;
-    return static_cast<double>(image.data[static_cast<std::size_t>(at)]) / 255;
+    return static_cast<double>(image.data[index_of(wrap(x), wrap(y), image.channels, channel)]) /
+           255;
 }
 
 LayerPtr shared(Layer layer) {
@@ -271,8 +276,7 @@ TEST(Around, AnEditOfAPartChangesWhatTheBlurAndTheWarpAboveReach) {
     const TexelRect dab{12, 20, 16, 23};
     for (int y = dab.y0; y < dab.y1; ++y)
         for (int x = dab.x0; x < dab.x1; ++x)
-            for (int k = 0; k < 3; ++k)
-                after.data[static_cast<std::size_t>((y * kSize + x) * 3 + k)] = std::byte{255};
+            for (int k = 0; k < 3; ++k) after.data[index_of(x, y, 3, k)] = std::byte{255};
     AdjustmentSettings warp;
     warp.kind = AdjustmentKind::Warp;
     warp.distance_permille = 60.0f;
