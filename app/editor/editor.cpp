@@ -120,6 +120,11 @@ void take_keys(Ui& ui, Workspace& workspace, const Shown& shown) {
 void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
     if (const auto action = workspace.palette().draw(ui, shown)) workspace.perform(*action);
     workspace.file_dialog().draw(ui);
+    if (const auto preset = workspace.preset_dialog().draw(ui, shown)) {
+        Requests requests;
+        requests.ask(*preset);
+        workspace.carry_out(std::move(requests));
+    }
     workspace.question().draw(ui);
     workspace.keys().draw(ui);
     workspace.log().draw(ui, shown.log);
@@ -242,6 +247,8 @@ void remember(const Options& options, const Parts& parts, Settings& settings) {
     const ViewState& view = parts.workspace.view();
     now.splitters = view.splitters;
     now.shelf_open = view.unfolded.shelf;
+    now.small_cards = view.small_cards;
+    now.favourites = view.favourites;
     now.keep_previous = parts.workspace.session().keeps_previous();
     if (!options.refining_draws) now.refine_when_idle = view.refine_when_idle;
     if (options.window_width == 0) now.window_width = parts.window.size()[0];
@@ -268,6 +275,8 @@ Status run_window(const Options& options) {
     Workspace workspace(std::move(*session));
     workspace.view().splitters = settings.splitters;
     workspace.view().unfolded.shelf = settings.shelf_open;
+    workspace.view().small_cards = settings.small_cards;
+    workspace.view().favourites = settings.favourites;
     workspace.session().set_keep_previous(settings.keep_previous);
     workspace.view().refine_when_idle =
         options.refining_draws.value_or(settings.refine_when_idle ? kRefiningDraws : 0) > 0;

@@ -30,6 +30,13 @@ void read_flag(const Json& object, const char* key, bool& value) {
     if (found != object.end() && found->is_boolean()) value = found->get<bool>();
 }
 
+void read_names(const Json& object, const char* key, std::set<std::string>& names) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_array()) return;
+    for (const Json& name : *found)
+        if (name.is_string()) names.insert(name.get<std::string>());
+}
+
 struct SplitterKey {
     const char* key;
     float Splitters::*member;
@@ -62,6 +69,8 @@ Settings read_settings(const fs::path& file) {
     read_number(json, "window_height", 400.0, kMostPixels, settings.window_height);
     read_number(json, "scale", 1.0, 2.5, settings.scale);
     read_flag(json, "shelf_open", settings.shelf_open);
+    read_flag(json, "small_cards", settings.small_cards);
+    read_names(json, "favourites", settings.favourites);
     read_flag(json, "keep_previous", settings.keep_previous);
     read_flag(json, "refine_when_idle", settings.refine_when_idle);
     if (const auto splitters = json.find("splitters");
@@ -82,6 +91,8 @@ Status write_settings(const fs::path& file, const Settings& settings) {
                  {"window_height", settings.window_height},
                  {"scale", settings.scale},
                  {"shelf_open", settings.shelf_open},
+                 {"small_cards", settings.small_cards},
+                 {"favourites", settings.favourites},
                  {"keep_previous", settings.keep_previous},
                  {"refine_when_idle", settings.refine_when_idle}};
     for (const SplitterKey& each : kSplitters)

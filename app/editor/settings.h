@@ -5,6 +5,8 @@
 /// (or ~/.config). It is convenience: what cannot be read is as if it were not there.
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "core/result.h"
 #include "editor/state/view_state.h"
@@ -17,7 +19,9 @@ struct Settings {
     float scale = 0.0f;  ///< of the interface; 0 asks the monitor
     Splitters splitters;
     bool shelf_open = true;
-    bool keep_previous = true;  ///< SaveOptions::keep_previous
+    bool small_cards = false;          ///< in the shelf
+    std::set<std::string> favourites;  ///< ids of presets
+    bool keep_previous = true;         ///< SaveOptions::keep_previous
     bool refine_when_idle = true;
     bool operator==(const Settings&) const = default;
 };

@@ -16,6 +16,7 @@ void Workspace::carry_out_one(const Request& request) {
     if (const auto* action = std::get_if<Action>(&request)) perform(*action);
     if (const auto* file = std::get_if<TakeFile>(&request)) take_file(*file);
     if (const auto* preset = std::get_if<ApplyPreset>(&request)) apply_preset_by_id(*preset);
+    if (const auto* turn = std::get_if<TurnKnobs>(&request)) turn_knobs(turn->id);
     if (const auto* choose = std::get_if<ChooseImageFor>(&request)) choose_image_for(*choose);
     if (const auto* cancel = std::get_if<CancelJob>(&request)) session_->cancel(cancel->job);
     if (const auto* toast = std::get_if<DismissToast>(&request)) session_->dismiss(toast->toast);

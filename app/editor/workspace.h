@@ -12,6 +12,7 @@
 #include "editor/dialogs/file_dialog.h"
 #include "editor/dialogs/log_dialog.h"
 #include "editor/dialogs/palette.h"
+#include "editor/dialogs/preset_dialog.h"
 #include "editor/dialogs/question.h"
 #include "editor/session/session.h"
 #include "editor/state/requests.h"
@@ -28,17 +29,19 @@ class Workspace {
     FileDialog& file_dialog() { return file_dialog_; }
     Palette& palette() { return palette_; }
     QuestionDialog& question() { return question_; }
+    PresetDialog& preset_dialog() { return preset_dialog_; }
     KeysDialog& keys() { return keys_; }
     LogDialog& log() { return log_; }
     bool dialog_open() const {
         return file_dialog_.is_open() || palette_.is_open() || question_.is_open() ||
-               keys_.is_open() || log_.is_open();
+               preset_dialog_.is_open() || keys_.is_open() || log_.is_open();
     }
 
     /// Edits first, in one go, then the rest.
     void carry_out(Requests requests);
     void perform(Action action);
-    /// A model is opened, an image becomes a layer, a preset is applied, a panorama lights; an .exr
+    /// A model is opened, an image or a folder of textures becomes a layer, a preset is applied, a
+    /// panorama lights; an .exr
     /// is an image where it is dropped on the layers, and a panorama elsewhere.
     void take_file(const TakeFile& file);
     /// Asks first when there are unsaved edits.
@@ -62,12 +65,14 @@ class Workspace {
     void ask_save_as(std::function<void()> after);
     void ask_export();
     void ask_image(std::function<void(const ImageAssetPtr&)> use);
+    void lay_textures(const std::filesystem::path& folder);
     void choose_image_for(const ChooseImageFor& request);
     void when_edits_may_go(std::function<void()> go_on);
     void use_image(const ImageAssetPtr& image, Edit edit, std::string label);
     void add_image_layer(const ImageAssetPtr& image);
     void lay_preset(const io::PresetFile& file, bool replace_stack);
     void apply_preset_by_id(const ApplyPreset& request);
+    void turn_knobs(const std::string& preset_id);
     void apply_preset_from(const std::filesystem::path& path);
 
     std::unique_ptr<Session> session_;
@@ -75,6 +80,7 @@ class Workspace {
     FileDialog file_dialog_;
     Palette palette_;
     QuestionDialog question_;
+    PresetDialog preset_dialog_;
     KeysDialog keys_;
     LogDialog log_;
     bool quitting_ = false;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "document/edits.h"
+#include "editor/widgets/number_text.h"
 
 namespace patina::editor {
 namespace {
@@ -46,7 +47,7 @@ void Workspace::when_edits_may_go(std::function<void()> go_on) {
 
 void Workspace::save_then(std::function<void()> after) {
     if (session_->path().empty()) return ask_save_as(std::move(after));
-    session_->save(session_->path(), std::move(after));
+    session_->save(session_->path(), view_, std::move(after));
 }
 
 void Workspace::ask_save_as(std::function<void()> after) {
@@ -59,7 +60,7 @@ void Workspace::ask_save_as(std::function<void()> after) {
                        .writing = true,
                        .folder = false,
                        .chosen = [this, after = std::move(after)](const fs::path& path) {
-                           session_->save(path, after);
+                           session_->save(path, view_, after);
                        }});
 }
 
@@ -137,7 +138,9 @@ void Workspace::quit() {
 void Workspace::take_file(const TakeFile& file) {
     const fs::path& path = file.path;
     const std::string ending = ending_of(path);
-    if (is_one_of(ending, kModels)) {
+    if (io::is_texture_folder(path)) {
+        lay_textures(path);
+    } else if (is_one_of(ending, kModels)) {
         when_edits_may_go([this, path] { session_->open(path); });
     } else if (ending == ".hdr" || (ending == ".exr" && file.place != DropPlace::Layers)) {
         session_->use_environment_file(path);
@@ -150,9 +153,10 @@ void Workspace::take_file(const TakeFile& file) {
             session_->with_image(path,
                                  [this](const ImageAssetPtr& image) { add_image_layer(image); });
     } else {
-        session_->toast(ToastKind::Error,
-                        fmt::format("Cannot use {}: not a model, image, preset or panorama",
-                                    quoted_for_message(path.filename().string())));
+        session_->toast(
+            ToastKind::Error,
+            fmt::format("Cannot use {}: not a model, image, preset, panorama or folder of textures",
+                        quoted_for_message(path.filename().string())));
     }
 }
 
@@ -180,6 +184,25 @@ void Workspace::add_image_layer(const ImageAssetPtr& image) {
     edit_and_select_new(
         in_one_step("Add image " + image->name,
                     {add_image(image), add_layer(*material, image_layer(*image), place)}));
+}
+
+void Workspace::lay_textures(const fs::path& folder) {
+    if (!session_->has_document())
+        return session_->toast(ToastKind::Note, "Open a model before dropping textures");
+    session_->with_texture_folder(folder, [this](const io::TextureFolder& textures) {
+        const MaterialPtr material = session_->selected_material(view_);
+        if (!material) return;
+        const LayerPtr selected = session_->selected_layer(view_);
+        Edits edits;
+        for (const ImageAssetPtr& image : textures.images) edits.push_back(add_image(image));
+        edits.push_back(
+            add_layer(*material, textures.layer, selected ? above(selected->id) : top_of_stack()));
+        edit_and_select_new(in_one_step("Add textures " + textures.layer.name, std::move(edits)));
+        session_->toast(ToastKind::Done,
+                        fmt::format("{} of {} as a layer", counted(textures.images.size(), "map"),
+                                    textures.layer.name),
+                        "Show log", Action::ShowLog);
+    });
 }
 
 void Workspace::choose_image_for(const ChooseImageFor& request) {
@@ -229,9 +252,20 @@ void Workspace::lay_preset(const io::PresetFile& file, bool replace_stack) {
 }
 
 void Workspace::apply_preset_by_id(const ApplyPreset& request) {
+    for (const io::PresetFile& file : session_->presets()) {
+        if (file.preset.id != request.id || !session_->has_document()) continue;
+        const auto layers = turned_layers(file.preset, request.knobs);
+        if (!layers) return session_->toast(ToastKind::Error, layers.error().message);
+        io::PresetFile turned = file;
+        turned.preset.layers = *layers;
+        lay_preset(turned, request.replace_stack);
+    }
+}
+
+void Workspace::turn_knobs(const std::string& preset_id) {
     for (const io::PresetFile& file : session_->presets())
-        if (file.preset.id == request.id && session_->has_document())
-            lay_preset(file, request.replace_stack);
+        if (file.preset.id == preset_id && session_->has_document())
+            preset_dialog_.open(file.preset);
 }
 
 void Workspace::apply_preset_from(const fs::path& path) {

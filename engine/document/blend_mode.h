@@ -156,7 +156,7 @@ inline constexpr std::array kBlendModes = {
         "The layer's hue and saturation, the value below; HSV, as painting programs have it."},
     BlendModeInfo{BlendMode::ValueHsv, "value-hsv", "Value (HSV)", "Colour (HSV)", "blend_value_hsv", kColorOnly,
         "The layer's value, the hue and saturation below; HSV, as painting programs have it."},
-    BlendModeInfo{BlendMode::NormalRnm, "nrm-rnm", "Reoriented (RNM)", "Normal", "normal_blend_rnm", kNormalOnly,
+    BlendModeInfo{BlendMode::NormalRnm, "nrm-rnm", "RNM", "Normal", "normal_blend_rnm", kNormalOnly,
         "Lays the relief on that below with both at full strength. The best for detail."},
     BlendModeInfo{BlendMode::NormalUdn, "nrm-udn", "UDN", "Normal", "normal_blend_udn", kNormalOnly,
         "Adds the slopes and keeps the flatness below: soft, and cheap in games."},

@@ -37,9 +37,9 @@ class FilesTest : public EditorTest {
         ASSERT_TRUE(io::save_document(*lit, *loaded->images, model));
     }
     /// An image that is surely one: a picture of the sample.
-    fs::path image() const {
+    fs::path image(const std::string& size = "64x64") const {
         fs::path file = folder_ / "picture.png";
-        EXPECT_EQ(run_tool({PATINA_PROGRAM, "render", sample().string(), "--size", "64x64",
+        EXPECT_EQ(run_tool({PATINA_PROGRAM, "render", sample().string(), "--size", size,
                             "--samples", "1", "-o", file.string()},
                            ""),
                   0);
@@ -84,9 +84,56 @@ TEST_F(FilesTest, WhatIsDroppedIsOpenedAddedOrLights) {
     ASSERT_TRUE(editor.click("Viewport/Toast", "Show log", "button"));
     ASSERT_TRUE(editor.wait_for("the log", [&] {
         return editor
-            .find("Log", "Cannot use notes.txt: not a model, image, preset or panorama", "log line")
+            .find(
+                "Log",
+                "Cannot use notes.txt: not a model, image, preset, panorama or folder of textures",
+                "log line")
             .has_value();
     }));
+}
+
+TEST_F(FilesTest, AFolderOfTexturesThatIsDroppedBecomesOneLayer) {
+    const fs::path file = sample();
+    const fs::path textures = folder_ / "old_oak";
+    fs::create_directories(textures);
+    fs::copy(image(), textures / "old_oak_basecolor.png");
+    fs::copy(image("32x32"), textures / "old_oak_rough.png");
+    Editor editor(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(editor, file));
+    const std::string before = editor.fact("content");
+    ASSERT_TRUE(editor.drop(textures, "Viewport", "Model", "viewport"));
+    ASSERT_TRUE(editor.wait_fact("layer", "old_oak"));
+    EXPECT_EQ(editor.layers().front(), "old_oak");
+    ASSERT_TRUE(editor.wait_for("its channels", [&] {
+        const auto name = [&](const std::string& channel, const std::string& source) {
+            const auto found = editor.find("Properties/" + channel, "Source", "source");
+            return found && found->value == source;
+        };
+        return name("Base colour", "old_oak_basecolor.png") &&
+               name("Roughness", "old_oak_rough.png");
+    }));
+    // One step, with its images.
+    editor.key("ctrl+z");
+    ASSERT_TRUE(editor.wait_fact("content", before));
+}
+
+TEST_F(FilesTest, GroupsReopenAsTheyWereFolded) {
+    const fs::path file = sample();
+    {
+        Editor editor(display_.name(), folder_, arguments(file));
+        ASSERT_TRUE(open(editor, file));
+        ASSERT_TRUE(add_layer(editor, "Add value layer"));
+        editor.key("ctrl+g");
+        ASSERT_TRUE(editor.wait_for("a group", [&] { return editor.layers().size() == 3; }));
+        ASSERT_TRUE(editor.click("Layers", "Unfolded", "angle"));
+        ASSERT_TRUE(editor.wait_for("it to fold", [&] { return editor.layers().size() == 2; }));
+        editor.key("ctrl+s");
+        ASSERT_TRUE(editor.wait_fact("edited", "no"));
+        ASSERT_TRUE(editor.settle());
+    }
+    Editor again(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(again, file));
+    EXPECT_EQ(again.layers().size(), 2u);
 }
 
 TEST_F(FilesTest, ADocumentMayOnlyBeLitByFilesBelowItsOwnFolder) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "document/edits.h"
 #include "editor/panels/panels.h"
@@ -23,12 +24,45 @@ struct CardSpec {
     bool wide = false;  ///< an environment: twice as wide as high
     bool on = false;
     bool enabled = true;
+    std::optional<bool> favourite = {};  ///< unset: there is no star on it
 };
 
+struct CardPress {
+    Press press;
+    bool starred = false;  ///< its star was clicked
+};
+
+/// The star at the top right of a card: always where it is a favourite, else under the pointer.
+bool draw_star(Ui& ui, const Rect& card, bool favourite) {
+    const Rect box{card.x1 - ui.px(24), card.y0, card.x1, card.y0 + ui.px(24)};
+    const Tip tip{favourite ? "Remove from favourites" : "Add to favourites",
+                  "The star above the shelf shows favourites alone"};
+    const Press pressed = press(ui, box,
+                                {.label = favourite ? "Favourite" : "Not a favourite",
+                                 .kind = "star",
+                                 .value = favourite ? "on" : "off",
+                                 .tip = &tip,
+                                 .focusable = false});
+    const ImVec2 mouse = ImGui::GetMousePos();
+    if (favourite || card.contains(mouse.x, mouse.y))
+        icon_glyph(ui, box, favourite ? icon::kStar : icon::kStarEmpty,
+                   favourite         ? theme::kWarning
+                   : pressed.hovered ? theme::kText
+                                     : theme::kText2,
+                   12);
+    return pressed.clicked;
+}
+
 /// A picture with its name below.
-Press draw_card(Ui& ui, const Rect& card, float side, const CardSpec& spec) {
+CardPress draw_card(Ui& ui, const Rect& card, float side, const CardSpec& spec) {
     const Tip tip{std::string(spec.label), std::string(spec.tooltip)};
+    const Place place(ui, spec.label);
     const Faded faded(ui, !spec.enabled);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.ChannelsSplit(2);
+    list.ChannelsSetCurrent(1);
+    const bool starred = spec.favourite && draw_star(ui, card, *spec.favourite);
+    list.ChannelsSetCurrent(0);
     const Press pressed = press(ui, card,
                                 {.label = spec.label,
                                  .kind = "card",
@@ -47,17 +81,18 @@ Press draw_card(Ui& ui, const Rect& card, float side, const CardSpec& spec) {
     rest.cut_top(ui.px(6));
     text(ui, rest.cut_top(ui.px(16)).inset(ui.px(4), 0), ui.fonts.caption11,
          pressed.hovered ? theme::kText : theme::kText2, spec.label, Align::Center);
-    return pressed;
+    list.ChannelsMerge();
+    return {pressed, starred};
 }
 
 /// Cards in rows, as many as fit, in a region that scrolls.
 class CardGrid {
   public:
-    CardGrid(Ui& ui, const Rect& rect)
+    CardGrid(Ui& ui, const Rect& rect, bool small)
         : ui_(ui), area_(ui, "cards", rect), content_(area_.content()) {
         const bool wide = rect.width() / ui.scale > 900;
-        side_ = ui.px(wide ? 80 : 60);
-        width_ = ui.px(100);
+        side_ = ui.px(small ? 44.0f : wide ? 80.0f : 60.0f);
+        width_ = ui.px(small ? 76 : 100);
         height_ = side_ + ui.px(34);
         const float room = content_.width() - ui.px(16);
         columns_ = std::max(1, static_cast<int>(room / width_));
@@ -70,7 +105,7 @@ class CardGrid {
     CardGrid(const CardGrid&) = delete;
     CardGrid& operator=(const CardGrid&) = delete;
 
-    Press add(const CardSpec& spec) {
+    CardPress add(const CardSpec& spec) {
         const auto column = static_cast<float>(count_ % columns_);
         const int rows_before = count_ / columns_;
         const auto row = static_cast<float>(rows_before);
@@ -101,6 +136,7 @@ bool clicked_or_dragged(const Ui& ui, const Press& pressed, ShelfDrag dragged, V
 }
 
 bool shown_here(const Preset& preset, const ViewState& view) {
+    if (view.favourites_alone && !view.favourites.contains(preset.id)) return false;
     if (!view.shelf_category.empty() && preset.category != view.shelf_category) return false;
     std::string where = preset.name;
     for (const std::string& tag : preset.tags) where += " " + tag;
@@ -109,23 +145,32 @@ bool shown_here(const Preset& preset, const ViewState& view) {
 
 Requests preset_menu(Ui& ui, const Preset& preset) {
     Requests requests;
-    PopupMenu menu(ui, "preset menu", 190);
+    PopupMenu menu(ui, "preset menu", 200);
     if (!menu.open()) return requests;
     if (menu.item({.icon = icon::kPlus, .label = "Add above the layer"}))
         requests.ask(ApplyPreset{preset.id});
     if (menu.item({.icon = icon::kReset, .label = "Replace the stack"}))
         requests.ask(ApplyPreset{preset.id, true});
+    if (menu.item({.icon = icon::kSliders,
+                   .label = "Turn its knobs\u2026",
+                   .enabled = !preset.knobs.empty()}))
+        requests.ask(TurnKnobs{preset.id});
     return requests;
 }
 
 void nothing_matches(Ui& ui, const Rect& rect, ViewState& view) {
     Rect row = Rect{rect.x0, rect.y0, rect.x1, rect.y0 + ui.px(50)}.inset(ui.px(16), ui.px(12));
-    const std::string words = "Nothing matches '" + view.shelf_search + "'";
+    const std::string words = view.favourites.empty() && view.favourites_alone
+                                  ? "No favourites yet: click the star of a preset"
+                              : view.shelf_search.empty()
+                                  ? "No favourites in " + view.shelf_category
+                                  : "Nothing matches '" + view.shelf_search + "'";
     row.x0 = text(ui, row, ui.fonts.body13, theme::kText3, words) + ui.px(4);
-    const TextButton clear{.label = "Clear", .link = true};
+    const TextButton clear{.label = view.favourites_alone ? "Show all" : "Clear", .link = true};
     if (text_button(ui, row.cut_left(text_button_width(ui, clear)), clear)) {
         view.shelf_search.clear();
         view.shelf_category.clear();
+        view.favourites_alone = false;
     }
 }
 
@@ -133,16 +178,20 @@ Requests draw_presets(Ui& ui, const Rect& rect, const Shown& shown, ViewState& v
     Requests requests;
     int count = 0;
     {
-        CardGrid grid(ui, rect);
+        CardGrid grid(ui, rect, view.small_cards);
         for (const Preset* preset : shown.presets) {
             if (!shown_here(*preset, view)) continue;
             const std::string tooltip =
                 preset->description +
                 "\nClick adds it, drag lays it on a part, right click for more";
-            const Press pressed = grid.add({.label = preset->name,
-                                            .tooltip = tooltip,
-                                            .picture = shown.thumbnails->preset(*preset),
-                                            .enabled = shown.material != nullptr});
+            const bool favourite = view.favourites.contains(preset->id);
+            const auto [pressed, starred] = grid.add({.label = preset->name,
+                                                      .tooltip = tooltip,
+                                                      .picture = shown.thumbnails->preset(*preset),
+                                                      .enabled = shown.material != nullptr,
+                                                      .favourite = favourite});
+            if (starred && favourite) view.favourites.erase(preset->id);
+            if (starred && !favourite) view.favourites.insert(preset->id);
             ImGui::PushID(preset->id.c_str());
             if (clicked_or_dragged(ui, pressed, {.what = preset->id}, view))
                 requests.ask(ApplyPreset{preset->id});
@@ -160,7 +209,7 @@ Requests draw_images(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vi
     Requests requests;
     int count = 0;
     {
-        CardGrid grid(ui, rect);
+        CardGrid grid(ui, rect, view.small_cards);
         if (shown.document)
             for (const auto& [hash, image] : shown.document->images) {
                 if (!name_matches(image->name, view.shelf_search)) continue;
@@ -168,7 +217,8 @@ Requests draw_images(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vi
                     grid.add({.label = image->name,
                               .tooltip = "Click adds it as a layer, drag lays it on a part",
                               .picture = shown.thumbnails->image(*image),
-                              .round = false});
+                              .round = false})
+                        .press;
                 if (clicked_or_dragged(ui, pressed, {.what = hash}, view))
                     requests.ask(AddImageAsLayer{hash});
             }
@@ -182,7 +232,7 @@ Requests draw_images(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vi
 
 Requests draw_environments(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
     Requests requests;
-    CardGrid grid(ui, rect);
+    CardGrid grid(ui, rect, view.small_cards);
     for (const EnvironmentShown& environment : shown.environments) {
         if (!name_matches(environment.label, view.shelf_search)) continue;
         const bool on = shown.document && shown.document->environment.name == environment.name;
@@ -192,7 +242,8 @@ Requests draw_environments(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
                                         .round = false,
                                         .wide = true,
                                         .on = on,
-                                        .enabled = shown.document != nullptr});
+                                        .enabled = shown.document != nullptr})
+                                  .press;
         if (pressed.clicked && !on) requests.edit(set_environment_name(environment.name));
     }
     return requests;
@@ -265,6 +316,19 @@ void draw_title(Ui& ui, Rect title, bool wide, bool open, const Categories& cate
                      .size = 11}))
         view.unfolded.shelf = view.unfolded.narrow_shelf = !open;
     if (!open) return;
+    if (icon_button(ui, title.cut_right(ui.px(26)),
+                    {.icon = icon::kGrid,
+                     .label = view.small_cards ? "Large cards" : "Small cards",
+                     .tooltip = "How large the pictures of the shelf are",
+                     .on = view.small_cards}))
+        view.small_cards = !view.small_cards;
+    if (view.shelf_tab == ShelfTab::Presets &&
+        icon_button(ui, title.cut_right(ui.px(26)),
+                    {.icon = view.favourites_alone ? icon::kStar : icon::kStarEmpty,
+                     .label = view.favourites_alone ? "Show all presets" : "Show favourites alone",
+                     .tooltip = "A preset becomes one by the star on its card",
+                     .on = view.favourites_alone}))
+        view.favourites_alone = !view.favourites_alone;
     title.cut_right(ui.px(4));
     const float search = ui.px(wide ? 220 : 132);
     search_field(ui, title.cut_right(search).centered(search, ui.px(24)),

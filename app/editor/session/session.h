@@ -25,6 +25,7 @@
 #include "io/image_store.h"
 #include "io/load.h"
 #include "io/preset_library.h"
+#include "io/texture_folder.h"
 
 namespace patina::editor {
 
@@ -37,8 +38,10 @@ class Session {
     // Files. All of them return at once; what comes of it shows in jobs and toasts.
     void open(const std::filesystem::path& path);
     void open_sample();
+    /// With groups folded as they are seen.
     /// @param after  called when the file has been written
-    void save(const std::filesystem::path& path, std::function<void()> after = {});
+    void save(const std::filesystem::path& path, const ViewState& view,
+              std::function<void()> after = {});
     /// Whether the first save of a file in this session leaves the version before as name~.
     void set_keep_previous(bool keep) { keep_previous_ = keep; }
     bool keeps_previous() const { return keep_previous_; }
@@ -52,6 +55,9 @@ class Session {
     /// The same for the images of a preset.
     void with_preset_images(const io::PresetFile& file,
                             std::function<void(const std::vector<ImageAssetPtr>&)> use);
+    /// The same for a folder of textures, as a layer.
+    void with_texture_folder(const std::filesystem::path& folder,
+                             std::function<void(const io::TextureFolder&)> use);
     /// A panorama that the user chose.
     void use_environment_file(const std::filesystem::path& path);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "document/edits.h"
 #include "document/scene_edits.h"
 #include "editor/session/session.h"
 #include "editor/widgets/number_text.h"
@@ -27,6 +28,21 @@ namespace fs = std::filesystem;
 constexpr int kStillSamples = 16;
 constexpr render::PictureSize kStillSize{1920, 1080};
 constexpr auto kCancelPoll = std::chrono::milliseconds(50);
+
+/// The document with its groups folded as they are seen: not an edit, but the file tells the next
+/// who opens it.
+DocumentPtr folded_as_seen(const DocumentPtr& document, const ViewState& view) {
+    Document folded = *document;
+    for (const auto& [id, open] : view.unfolded_groups)
+        for (const MaterialPtr& material : document->materials) {
+            const MaterialPtr now = find_material(folded, material->id);
+            const LayerPtr group = find_layer(*now, id);
+            if (!group || !group->is_group()) continue;
+            if (Result<Document> next = set_group_open(*now, *group, open).apply(folded))
+                folded = *std::move(next);
+        }
+    return std::make_shared<const Document>(std::move(folded));
+}
 
 }  // namespace
 
@@ -96,15 +112,16 @@ void Session::adopt(io::LoadedDocument loaded, fs::path path) {
               "Show log", Action::ShowLog);
 }
 
-void Session::save(const fs::path& path, std::function<void()> after) {
+void Session::save(const fs::path& path, const ViewState& view, std::function<void()> after) {
     const DocumentPtr snapshot = history_->document();
+    const DocumentPtr written = folded_as_seen(snapshot, view);
     // What was there before this session stays, not what the save before left.
     const bool keep = keep_previous_ && !kept_.contains(fs::absolute(path));
     jobs_.start("Saving " + path.filename().string(),
-                [this, path, snapshot, images = images_, after = std::move(after),
+                [this, path, snapshot, written, images = images_, after = std::move(after),
                  keep](const Progress& progress) {
                     auto report = std::make_shared<Result<io::SaveReport>>(io::save_document(
-                        *snapshot, *images, path, {.keep_previous = keep}, progress));
+                        *written, *images, path, {.keep_previous = keep}, progress));
                     return [this, path, snapshot, images, report, after] {
                         if (!*report) return report_job_failure(report->error());
                         kept_.insert(fs::absolute(path));
@@ -215,6 +232,23 @@ void Session::with_preset_images(const io::PresetFile& file,
                             use(**added);
                         else
                             report_job_failure(added->error());
+                    };
+                });
+}
+
+void Session::with_texture_folder(const fs::path& folder,
+                                  std::function<void(const io::TextureFolder&)> use) {
+    if (!images_) return;
+    jobs_.start("Reading " + folder.filename().string(),
+                [this, folder, images = images_, use = std::move(use)](const Progress& progress) {
+                    auto read = std::make_shared<Result<io::TextureFolder>>(
+                        io::read_texture_folder(folder, *images, progress));
+                    return [this, read, images, use] {
+                        if (images != images_) return;  // of a document that is closed
+                        if (!*read) return report_job_failure(read->error());
+                        for (const io::TextureUseOfFile& file : (*read)->files)
+                            log_info("{}", file.described);
+                        use(**read);
                     };
                 });
 }

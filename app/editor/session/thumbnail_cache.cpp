@@ -242,14 +242,22 @@ Picture ThumbnailCache::material(const Material& material) {
 }
 
 Picture ThumbnailCache::preset(const Preset& preset) {
+    return turned_preset(preset, {});
+}
+
+Picture ThumbnailCache::turned_preset(const Preset& preset, const std::vector<KnobSetting>& knobs) {
     Hasher hasher;
     hasher.add("preset").add(preset.id).add(preset.version);
+    for (const KnobSetting& knob : knobs) hasher.add(knob.id).add(knob.value);
     const io::PresetFile* file = nullptr;
     if (presets_ != nullptr)
         for (const io::PresetFile& each : *presets_)
             if (&each.preset == &preset) file = &each;
     if (file == nullptr) return {};
-    return find(hasher.finish(), [copy = *file]() -> Made {
+    return find(hasher.finish(), [copy = *file, knobs]() mutable -> Made {
+        const auto layers = turned_layers(copy.preset, knobs);
+        if (!layers) return {};
+        copy.preset.layers = *layers;
         io::ImageStore images;
         if (const auto added = io::add_preset_images(copy, images); !added) return {};
         if (auto surface = small_surface(preset_thumbnail(copy.preset), images))

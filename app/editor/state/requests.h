@@ -13,6 +13,7 @@
 #include "document/edit.h"
 #include "document/layer.h"
 #include "document/layer_edits.h"
+#include "document/preset_knobs.h"
 #include "editor/state/actions.h"
 
 namespace patina::editor {
@@ -28,6 +29,11 @@ struct TakeFile {
 struct ApplyPreset {
     std::string id;
     bool replace_stack = false;
+    std::vector<KnobSetting> knobs = {};  ///< turned from where they stand in the preset
+};
+/// Asks how the knobs of a preset are to be turned, and then lays it on.
+struct TurnKnobs {
+    std::string id;
 };
 /// An image of the document as a new layer.
 struct AddImageAsLayer {
@@ -58,8 +64,8 @@ struct PickAt {
     bool explain = false;  ///< keep it under the crosshair
 };
 
-using Request = std::variant<Action, TakeFile, ApplyPreset, AddImageAsLayer, JumpToStep, CancelJob,
-                             DismissToast, HoldToast, ChooseImageFor, PickAt>;
+using Request = std::variant<Action, TakeFile, ApplyPreset, TurnKnobs, AddImageAsLayer, JumpToStep,
+                             CancelJob, DismissToast, HoldToast, ChooseImageFor, PickAt>;
 
 struct Requests {
     Edits edits;

@@ -32,6 +32,8 @@ class Thumbnails {
                                    Channel channel) = 0;
     virtual Picture material(const Material& material) = 0;
     virtual Picture preset(const Preset& preset) = 0;
+    /// The same with some knobs turned.
+    virtual Picture turned_preset(const Preset& preset, const std::vector<KnobSetting>& knobs) = 0;
     virtual Picture image(const ImageAsset& image) = 0;
     virtual Picture environment(const std::string& name) = 0;
 };

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -80,7 +81,10 @@ struct ViewState {
     bool panels_hidden = false;
     bool refine_when_idle = true;
     std::string shelf_search;
-    std::string shelf_category;  ///< empty: all
+    std::string shelf_category;        ///< empty: all
+    std::set<std::string> favourites;  ///< ids of presets
+    bool favourites_alone = false;     ///< the shelf shows no other presets
+    bool small_cards = false;          ///< in the shelf
     std::optional<std::string> layer_search;
     std::optional<std::string> material_search;
     LayerDrag layer_drag;

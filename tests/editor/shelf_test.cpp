@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The shelf of presets: favourites, and knobs that are turned before a preset is laid on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "editor/editor_fixture.h"
+
+namespace patina::editor_tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ShelfTest : public EditorTest {
+  protected:
+    static bool open(const Editor& editor) {
+        return editor.wait_fact("document", "sample.glb") && editor.settle();
+    }
+    static std::vector<std::string> cards(const Editor& editor) {
+        std::vector<std::string> result;
+        for (const Control& control : editor.controls())
+            if (control.kind == "card") result.push_back(control.label);
+        return result;
+    }
+    /// Types into the search field until the card is among those that are shown first.
+    static bool search(const Editor& editor, const std::string& word, const std::string& card) {
+        if (!editor.click("Shelf", "Search the shelf", "search")) return false;
+        for (const char letter : word) editor.key(std::string(1, letter));
+        return editor.wait_for("the presets that match", [&] {
+            const std::vector<std::string> found = cards(editor);
+            return !found.empty() && found.size() < 4 &&
+                   std::find(found.begin(), found.end(), card) != found.end();
+        });
+    }
+};
+
+TEST_F(ShelfTest, FavouritesAreShownAloneAndRemembered) {
+    const fs::path file = sample();
+    std::string favourite;
+    {
+        Editor editor(display_.name(), folder_, arguments(file));
+        ASSERT_TRUE(open(editor));
+        const std::vector<std::string> all = cards(editor);
+        ASSERT_GT(all.size(), 2u);
+        favourite = all[1];
+        ASSERT_TRUE(editor.click("Shelf/" + favourite, "Not a favourite", "star"));
+        ASSERT_TRUE(editor.wait_for("the star", [&] {
+            return editor.find("Shelf/" + favourite, "Favourite", "star").has_value();
+        }));
+        // A star lays nothing on.
+        EXPECT_EQ(editor.fact("edited"), "no");
+        ASSERT_TRUE(editor.settle());
+        editor.key("ctrl+q");
+        EXPECT_EQ(editor.wait_for_end(), 0);
+    }
+    Editor again(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(again));
+    ASSERT_TRUE(again.click("Shelf", "Show favourites alone", "button"));
+    ASSERT_TRUE(again.wait_for("one card", [&] { return cards(again).size() == 1; }));
+    EXPECT_EQ(cards(again).front(), favourite);
+}
+
+TEST_F(ShelfTest, KnobsAreTurnedBeforeAPresetIsLaidOn) {
+    const fs::path file = sample();
+    Editor editor(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(editor));
+    const std::string before = editor.fact("content");
+    ASSERT_TRUE(search(editor, "rusted", "Rusted iron"));
+    const auto lay = [&](double share) {
+        EXPECT_TRUE(editor.open_menu("Shelf", "Rusted iron", "card"));
+        EXPECT_TRUE(editor.click("Shelf", "Turn its knobs\u2026", "item"));
+        EXPECT_TRUE(share == 0.5 || editor.drag("Preset", "Rust", "slider", 0.5, share));
+        EXPECT_TRUE(editor.click("Preset", "Replace the stack", "button"));
+        EXPECT_TRUE(editor.wait_for("the stack", [&] { return editor.fact("content") != before; }));
+        std::string content = editor.fact("content");
+        editor.key("ctrl+z");
+        EXPECT_TRUE(editor.wait_fact("content", before));
+        return content;
+    };
+    const std::string plain = lay(0.5);
+    const std::string rusty = lay(0.9);
+    EXPECT_NE(plain, rusty);
+    // A knob that stays where it stands changes nothing.
+    ASSERT_TRUE(editor.click("Shelf", "Rusted iron", "card"));
+    EXPECT_TRUE(editor.wait_for("the layers", [&] { return editor.fact("content") != before; }));
+    editor.key("ctrl+z");
+    ASSERT_TRUE(editor.wait_fact("content", before));
+    ASSERT_TRUE(editor.open_menu("Shelf", "Rusted iron", "card"));
+    ASSERT_TRUE(editor.click("Shelf", "Replace the stack", "item"));
+    ASSERT_TRUE(editor.wait_for("the stack", [&] { return editor.fact("content") != before; }));
+    EXPECT_EQ(editor.fact("content"), plain);
+}
+
+}  // namespace
+}  // namespace patina::editor_tests
