@@ -24,6 +24,9 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kPatience = std::chrono::seconds(120);
+/// For a tool that is done in milliseconds, on a machine that is busy.
+constexpr auto kToolPatience = std::chrono::seconds(60);
+constexpr int kDisplayTries = 3;
 constexpr int kPollMs = 15;
 
 /// What a program finds around it beside what is here.
@@ -82,14 +85,53 @@ bool has_ended(pid_t child) {
            info.si_pid == child;
 }
 
+bool ends_within(pid_t child, std::chrono::seconds patience) {
+    for (const auto until = Clock::now() + patience; !has_ended(child); pause_briefly())
+        if (Clock::now() > until) return false;
+    return true;
+}
+
+std::string sentence(const std::vector<std::string>& words) {
+    std::string result;
+    for (const std::string& word : words) result += (result.empty() ? "" : " ") + word;
+    return result;
+}
+
+/// What Xvfb says of its display: its number and a line break, when it takes clients. Empty when it
+/// has not said so in time.
+std::string number_from(int pipe_end) {
+    std::string number;
+    pollfd waited{pipe_end, POLLIN, 0};
+    char letter = 0;
+    while (::poll(&waited, 1, static_cast<int>(std::chrono::milliseconds(kToolPatience).count())) >
+               0 &&
+           ::read(pipe_end, &letter, 1) == 1) {
+        if (letter == '\n') return number;
+        number += letter;
+    }
+    return {};
+}
+
 }  // namespace
 
 int run_tool(const std::vector<std::string>& words, const std::string& display) {
     const pid_t child = start(words, {display, {}}, nullptr);
-    return child < 0 ? -1 : end_status(child);
+    if (child < 0) return -1;
+    if (!ends_within(child, kToolPatience)) {
+        ADD_FAILURE() << "'" << sentence(words) << "' did not end";
+        ::kill(child, SIGKILL);
+    }
+    return end_status(child);
 }
 
 Display::Display(int width, int height) {
+    for (int i = 0; i < kDisplayTries && name_.empty(); ++i) {
+        end();
+        start_server(width, height);
+    }
+}
+
+void Display::start_server(int width, int height) {
     int ends[2] = {-1, -1};
     if (::pipe(ends) != 0) return;
     posix_spawn_file_actions_t actions;
@@ -102,18 +144,21 @@ Display::Display(int width, int height) {
               {}, &actions);
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
-    // Xvfb writes the number of its display and a line break when it takes clients.
-    std::string number;
-    char letter = 0;
-    while (child_ > 0 && ::read(ends[0], &letter, 1) == 1 && letter != '\n') number += letter;
+    const std::string number = child_ > 0 ? number_from(ends[0]) : std::string();
     ::close(ends[0]);
     if (!number.empty()) name_ = ":" + number;
 }
 
-Display::~Display() {
+void Display::end() {
     if (child_ <= 0) return;
     ::kill(child_, SIGTERM);
+    if (!ends_within(child_, kToolPatience)) ::kill(child_, SIGKILL);
     end_status(child_);
+    child_ = -1;
+}
+
+Display::~Display() {
+    end();
 }
 
 Pixels model_part(const Pixels& all) {
@@ -246,8 +291,8 @@ void Editor::point_at(int x, int y) const {
     run_tool({"xdotool", "mousemove", std::to_string(x), std::to_string(y)}, display_);
 }
 
-bool Editor::click(const std::string& place, const std::string& label,
-                   const std::string& kind) const {
+bool Editor::point_at_control(const std::string& place, const std::string& label,
+                              const std::string& kind) const {
     std::optional<Control> control;
     // A menu grows to its widest row in its first frames: take the place where it stays.
     const bool there = wait_for(place + " / " + label + " (" + kind + ")", [&] {
@@ -257,8 +302,20 @@ bool Editor::click(const std::string& place, const std::string& label,
         control = find(place, label, kind);
         return control && control->x == before->x && control->y == before->y;
     });
-    if (!there) return false;
-    point_at(control->x + control->width / 2, control->y + control->height / 2);
+    if (there) point_at(control->x + control->width / 2, control->y + control->height / 2);
+    return there;
+}
+
+bool Editor::open_menu(const std::string& place, const std::string& label,
+                       const std::string& kind) const {
+    if (!point_at_control(place, label, kind)) return false;
+    run_tool({"xdotool", "click", "3"}, display_);
+    return true;
+}
+
+bool Editor::click(const std::string& place, const std::string& label,
+                   const std::string& kind) const {
+    if (!point_at_control(place, label, kind)) return false;
     run_tool({"xdotool", "click", "1"}, display_);
     if (kind != "item") return true;
     // What lies behind a menu is out of reach until it is gone.

@@ -27,10 +27,13 @@ class Display {
     ~Display();
     Display(const Display&) = delete;
     Display& operator=(const Display&) = delete;
-    /// ":99", or empty when there is no Xvfb.
+    /// ":99", or empty when Xvfb is not installed or does not start.
     const std::string& name() const { return name_; }
 
   private:
+    void start_server(int width, int height);
+    void end();
+
     pid_t child_ = -1;
     std::string name_;
 };
@@ -87,6 +90,9 @@ class Editor {
 
     /// Each waits for the control to be there and enabled, then acts on it.
     bool click(const std::string& place, const std::string& label, const std::string& kind) const;
+    /// With the right button.
+    bool open_menu(const std::string& place, const std::string& label,
+                   const std::string& kind) const;
     bool drag(const std::string& place, const std::string& label, const std::string& kind,
               double from_share, double to_share) const;
     void key(const std::string& keys) const;
@@ -102,7 +108,8 @@ class Editor {
 
   private:
     void read_map() const;
-
+    bool point_at_control(const std::string& place, const std::string& label,
+                          const std::string& kind) const;
     bool settle_at(int x, int y) const;
 
     std::string display_;

@@ -21,7 +21,9 @@ EditorTest::~EditorTest() {
 }
 
 void EditorTest::SetUp() {
-    if (display_.name().empty()) GTEST_SKIP() << "Xvfb is not installed";
+    if (!display_.name().empty()) return;
+    if (run_tool({"Xvfb", "-version"}, "") < 0) GTEST_SKIP() << "Xvfb is not installed";
+    FAIL() << "Xvfb does not start";
 }
 
 std::vector<std::string> EditorTest::arguments(const fs::path& file) {

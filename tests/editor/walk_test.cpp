@@ -69,7 +69,7 @@ class Walk : public EditorTest, public testing::WithParamInterface<std::string> 
 
     void SetUp() override {
         EditorTest::SetUp();
-        if (IsSkipped()) return;
+        if (IsSkipped() || HasFatalFailure()) return;
         model_ = folder_ / "model" / "sample.glb";
         fs::create_directories(model_.parent_path());
         if (is_sample()) {

@@ -35,8 +35,9 @@ bool has_gltf_validator() {
 }
 
 GltfErrors gltf_errors_in(const std::vector<fs::path>& files) {
-    std::string command = "node '" + (kSource / "tests/support/validate.cjs").string() + "' '" +
-                          kModules.string() + "'";
+    // Whatever happens to it, a test ends.
+    std::string command = "timeout 120 node '" + (kSource / "tests/support/validate.cjs").string() +
+                          "' '" + kModules.string() + "'";
     for (const fs::path& file : files) command += " '" + file.string() + "'";
     const std::string out = output_of(command);
     const auto report = nlohmann::json::parse(out, nullptr, false);
