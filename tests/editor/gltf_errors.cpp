@@ -8,8 +8,8 @@ namespace patina::editor_tests {
 ErrorCodes errors_in_gltf(const std::filesystem::path& file) {
     if (!tests::has_gltf_validator()) return std::nullopt;
     std::map<std::string, int> codes;
-    for (const std::string& error : tests::gltf_errors_in({file})[file])
-        ++codes[tests::gltf_error_code(error)];
+    const tests::GltfErrors errors = tests::gltf_errors_in({file});
+    for (const std::string& error : errors.at(file)) ++codes[tests::gltf_error_code(error)];
     return codes;
 }
 

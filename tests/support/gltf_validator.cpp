@@ -43,8 +43,9 @@ GltfErrors gltf_errors_in(const std::vector<fs::path>& files) {
     const auto report = nlohmann::json::parse(out, nullptr, false);
     GltfErrors errors;
     for (const fs::path& file : files) {
+        std::vector<std::string>& found = errors[file];
         if (report.is_object() && report.contains(file.string()))
-            errors[file] = report[file.string()].get<std::vector<std::string>>();
+            found = report[file.string()].get<std::vector<std::string>>();
         else
             ADD_FAILURE() << file << " has no report; the validator said: " << out;
     }
