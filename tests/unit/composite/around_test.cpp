@@ -301,9 +301,9 @@ TEST(Around, WhatIsTheSameEverywhereStaysAFactor) {
     const Material material =
         stack_of({shared(filled(Channel::Roughness, ConstantSource{{0.3f, 0, 0}})),
                   shared(adjusting(blur_of(2), Channel::Roughness))});
-    const auto& slot =
-        Program::compile(material).slots()[static_cast<std::size_t>(Slot::MetallicRoughness)];
-    EXPECT_EQ(slot, SlotPlan(SlotConstant{{0.0f, 0.3f, 0.0f, 0.0f}}));
+    const Program program = Program::compile(material);
+    EXPECT_EQ(program.slots()[static_cast<std::size_t>(Slot::MetallicRoughness)],
+              SlotPlan(SlotConstant{{0.0f, 0.3f, 0.0f, 0.0f}}));
 }
 
 }  // namespace
