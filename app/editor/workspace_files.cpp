@@ -252,20 +252,18 @@ void Workspace::lay_preset(const io::PresetFile& file, bool replace_stack) {
 }
 
 void Workspace::apply_preset_by_id(const ApplyPreset& request) {
-    for (const io::PresetFile& file : session_->presets()) {
-        if (file.preset.id != request.id || !session_->has_document()) continue;
-        const auto layers = turned_layers(file.preset, request.knobs);
-        if (!layers) return session_->toast(ToastKind::Error, layers.error().message);
-        io::PresetFile turned = file;
-        turned.preset.layers = *layers;
-        lay_preset(turned, request.replace_stack);
-    }
+    const io::PresetFile* const file = session_->preset(request.id);
+    if (file == nullptr || !session_->has_document()) return;
+    const auto layers = turned_layers(file->preset, request.knobs);
+    if (!layers) return session_->toast(ToastKind::Error, layers.error().message);
+    io::PresetFile turned = *file;
+    turned.preset.layers = *layers;
+    lay_preset(turned, request.replace_stack);
 }
 
 void Workspace::turn_knobs(const std::string& preset_id) {
-    for (const io::PresetFile& file : session_->presets())
-        if (file.preset.id == preset_id && session_->has_document())
-            preset_dialog_.open(file.preset);
+    const io::PresetFile* const file = session_->preset(preset_id);
+    if (file != nullptr && session_->has_document()) preset_dialog_.open(file->preset);
 }
 
 void Workspace::apply_preset_from(const fs::path& path) {

@@ -64,6 +64,7 @@ Status turn(Json& layers, const PresetKnob& knob, float value) {
 
 Result<std::vector<LayerPtr>> turned_layers(const Preset& preset,
                                             const std::vector<KnobSetting>& settings) {
+    if (settings.empty()) return preset.layers;
     Json layers = layers_to_json(preset.layers, JsonIds::LeftOut);
     for (const KnobSetting& setting : settings) {
         const auto knob =

@@ -24,8 +24,8 @@ void PresetDialog::open(const Preset& preset) {
 }
 
 Picture PresetDialog::ball(Thumbnails& thumbnails) {
-    Picture newest = thumbnails.turned_preset(*preset_, ball_asked_);
-    if (newest.texture == nullptr) return thumbnails.turned_preset(*preset_, ball_shown_);
+    Picture newest = thumbnails.preset(*preset_, ball_asked_);
+    if (newest.texture == nullptr) return thumbnails.preset(*preset_, ball_shown_);
     ball_shown_ = ball_asked_;
     ball_asked_ = knobs_;
     return newest;

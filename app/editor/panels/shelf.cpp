@@ -185,11 +185,12 @@ Requests draw_presets(Ui& ui, const Rect& rect, const Shown& shown, ViewState& v
                 preset->description +
                 "\nClick adds it, drag lays it on a part, right click for more";
             const bool favourite = view.favourites.contains(preset->id);
-            const auto [pressed, starred] = grid.add({.label = preset->name,
-                                                      .tooltip = tooltip,
-                                                      .picture = shown.thumbnails->preset(*preset),
-                                                      .enabled = shown.material != nullptr,
-                                                      .favourite = favourite});
+            const auto [pressed, starred] =
+                grid.add({.label = preset->name,
+                          .tooltip = tooltip,
+                          .picture = shown.thumbnails->preset(*preset, {}),
+                          .enabled = shown.material != nullptr,
+                          .favourite = favourite});
             if (starred && favourite) view.favourites.erase(preset->id);
             if (starred && !favourite) view.favourites.insert(preset->id);
             ImGui::PushID(preset->id.c_str());

@@ -16,7 +16,8 @@ std::optional<Carried> carried(const ShelfDrag& drag, const Shown& shown) {
     if (const auto* id = std::get_if<std::string>(&drag.what))
         for (const Preset* preset : shown.presets)
             if (preset->id == *id)
-                return Carried{ApplyPreset{*id}, preset->name, shown.thumbnails->preset(*preset)};
+                return Carried{ApplyPreset{*id}, preset->name,
+                               shown.thumbnails->preset(*preset, {})};
     if (const auto* image = std::get_if<Hash128>(&drag.what); image && shown.document)
         if (const auto found = shown.document->images.find(*image);
             found != shown.document->images.end())

@@ -108,6 +108,12 @@ LayerPtr Session::selected_layer(const ViewState& view) const {
     return material ? find_layer(*material, view.layer) : nullptr;
 }
 
+const io::PresetFile* Session::preset(const std::string& id) const {
+    for (const io::PresetFile& file : presets_)
+        if (file.preset.id == id) return &file;
+    return nullptr;
+}
+
 bool Session::apply(const Edit& edit) {
     if (!history_) return false;
     const Status applied = history_->apply(edit);

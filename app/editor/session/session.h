@@ -52,10 +52,10 @@ class Session {
     /// Reads an image on a worker and gives it to `use` as edits to make.
     void with_image(const std::filesystem::path& path,
                     std::function<void(const ImageAssetPtr&)> use);
-    /// The same for the images of a preset.
+    /// Likewise the images of a preset.
     void with_preset_images(const io::PresetFile& file,
                             std::function<void(const std::vector<ImageAssetPtr>&)> use);
-    /// The same for a folder of textures, as a layer.
+    /// Likewise a folder of textures, as a layer.
     void with_texture_folder(const std::filesystem::path& folder,
                              std::function<void(const io::TextureFolder&)> use);
     /// A panorama that the user chose.
@@ -71,7 +71,8 @@ class Session {
     History& history() { return *history_; }
     bool is_edited() const { return history_ && history_->is_edited(); }
     const std::filesystem::path& path() const { return path_; }
-    const std::vector<io::PresetFile>& presets() const { return presets_; }
+    /// The shipped preset of that id, for as long as the session lives; null where there is none.
+    const io::PresetFile* preset(const std::string& id) const;
     const Bounds& bounds() const { return picture_.bounds(); }
 
     // Around it.
@@ -136,6 +137,12 @@ class Session {
     void follow_comparison(ViewState& view, bool moving);
     void expire_toasts();
     void report_job_failure(const Error& error);
+    /// Gives to `use` what a worker has read into the images of the document, if that is open
+    /// still.
+    template <typename Value>
+    void with_read(std::string label,
+                   std::function<Result<Value>(io::ImageStore& images, const Progress&)> read,
+                   std::function<void(const Value&)> use);
 
     std::function<void()> wake_;
     std::optional<History> history_;

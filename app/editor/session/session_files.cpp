@@ -205,52 +205,52 @@ void Session::draw_still() {
     still_.reset();
 }
 
-void Session::with_image(const fs::path& path, std::function<void(const ImageAssetPtr&)> use) {
+template <typename Value>
+void Session::with_read(std::string label,
+                        std::function<Result<Value>(io::ImageStore&, const Progress&)> read,
+                        std::function<void(const Value&)> use) {
     if (!images_) return;
-    jobs_.start("Reading " + path.filename().string(),
-                [this, path, images = images_, use = std::move(use)](const Progress&) {
-                    auto added = std::make_shared<Result<ImageAssetPtr>>(images->add_file(path));
-                    return [this, added, use, images] {
-                        if (images != images_) return;  // of a document that is closed
-                        if (*added)
-                            use(**added);
-                        else
-                            report_job_failure(added->error());
-                    };
-                });
+    jobs_.start(std::move(label), [this, images = images_, read = std::move(read),
+                                   use = std::move(use)](const Progress& progress) {
+        auto value = std::make_shared<Result<Value>>(read(*images, progress));
+        return [this, value, images, use] {
+            if (images != images_) return;  // of a document that is closed
+            if (*value)
+                use(**value);
+            else
+                report_job_failure(value->error());
+        };
+    });
+}
+
+void Session::with_image(const fs::path& path, std::function<void(const ImageAssetPtr&)> use) {
+    with_read<ImageAssetPtr>(
+        "Reading " + path.filename().string(),
+        [path](io::ImageStore& images, const Progress&) { return images.add_file(path); },
+        std::move(use));
 }
 
 void Session::with_preset_images(const io::PresetFile& file,
                                  std::function<void(const std::vector<ImageAssetPtr>&)> use) {
-    jobs_.start("Reading " + file.preset.name,
-                [this, file, images = images_, use = std::move(use)](const Progress&) {
-                    auto added = std::make_shared<Result<std::vector<ImageAssetPtr>>>(
-                        io::add_preset_images(file, *images));
-                    return [this, added, images, use] {
-                        if (images != images_) return;  // of a document that is closed
-                        if (*added)
-                            use(**added);
-                        else
-                            report_job_failure(added->error());
-                    };
-                });
+    with_read<std::vector<ImageAssetPtr>>(
+        "Reading " + file.preset.name,
+        [file](io::ImageStore& images, const Progress&) {
+            return io::add_preset_images(file, images);
+        },
+        std::move(use));
 }
 
 void Session::with_texture_folder(const fs::path& folder,
                                   std::function<void(const io::TextureFolder&)> use) {
-    if (!images_) return;
-    jobs_.start("Reading " + folder.filename().string(),
-                [this, folder, images = images_, use = std::move(use)](const Progress& progress) {
-                    auto read = std::make_shared<Result<io::TextureFolder>>(
-                        io::read_texture_folder(folder, *images, progress));
-                    return [this, read, images, use] {
-                        if (images != images_) return;  // of a document that is closed
-                        if (!*read) return report_job_failure(read->error());
-                        for (const io::TextureUseOfFile& file : (*read)->files)
-                            log_info("{}", file.described);
-                        use(**read);
-                    };
-                });
+    with_read<io::TextureFolder>(
+        "Reading " + folder.filename().string(),
+        [folder](io::ImageStore& images, const Progress& progress) {
+            return io::read_texture_folder(folder, images, progress);
+        },
+        [use = std::move(use)](const io::TextureFolder& textures) {
+            for (const io::TextureUseOfFile& file : textures.files) log_info("{}", file.described);
+            use(textures);
+        });
 }
 
 void Session::use_environment_file(const fs::path& path) {

@@ -241,11 +241,7 @@ Picture ThumbnailCache::material(const Material& material) {
     return of_subject({PlaceKind::Material, material.id.value}, material);
 }
 
-Picture ThumbnailCache::preset(const Preset& preset) {
-    return turned_preset(preset, {});
-}
-
-Picture ThumbnailCache::turned_preset(const Preset& preset, const std::vector<KnobSetting>& knobs) {
+Picture ThumbnailCache::preset(const Preset& preset, const std::vector<KnobSetting>& knobs) {
     Hasher hasher;
     hasher.add("preset").add(preset.id).add(preset.version);
     for (const KnobSetting& knob : knobs) hasher.add(knob.id).add(knob.value);

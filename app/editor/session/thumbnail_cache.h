@@ -58,8 +58,7 @@ class ThumbnailCache final : public Thumbnails {
                        const MaskEntry& entry) override;
     Picture channel_source(const Material& material, const Layer& layer, Channel channel) override;
     Picture material(const Material& material) override;
-    Picture preset(const Preset& preset) override;
-    Picture turned_preset(const Preset& preset, const std::vector<KnobSetting>& knobs) override;
+    Picture preset(const Preset& preset, const std::vector<KnobSetting>& knobs) override;
     Picture image(const ImageAsset& image) override;
     Picture environment(const std::string& name) override;
 

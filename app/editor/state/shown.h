@@ -31,9 +31,8 @@ class Thumbnails {
     virtual Picture channel_source(const Material& material, const Layer& layer,
                                    Channel channel) = 0;
     virtual Picture material(const Material& material) = 0;
-    virtual Picture preset(const Preset& preset) = 0;
-    /// The same with some knobs turned.
-    virtual Picture turned_preset(const Preset& preset, const std::vector<KnobSetting>& knobs) = 0;
+    /// With some of its knobs turned.
+    virtual Picture preset(const Preset& preset, const std::vector<KnobSetting>& knobs) = 0;
     virtual Picture image(const ImageAsset& image) = 0;
     virtual Picture environment(const std::string& name) = 0;
 };

@@ -82,9 +82,8 @@ Requests draw_head(Ui& ui, Rect& rest, const LayerSubject& subject) {
 
 std::optional<double> percent(Ui& ui, const Rect& rect, Parameter parameter, float value,
                               bool wide) {
-    NumberSpec spec = number_spec(parameter);
+    NumberSpec spec = wide ? number_spec(parameter) : compact_number_spec(parameter);
     spec.shown_label = {};
-    if (!wide) spec.unit = {};
     return number_field(ui, rect, spec, static_cast<double>(value));
 }
 
