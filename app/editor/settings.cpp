@@ -2,10 +2,10 @@
 #include "editor/settings.h"
 
 #include <array>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/user_folder.h"
 
 namespace patina::editor {
 namespace {
@@ -49,12 +49,8 @@ constexpr std::array<SplitterKey, 4> kSplitters = {{{"left", &Splitters::left},
 }  // namespace
 
 fs::path settings_file() {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    if (config != nullptr && fs::path(config).is_absolute())
-        return fs::path(config) / "patina" / "editor.json";
-    const char* home = std::getenv("HOME");
-    if (home == nullptr || !fs::path(home).is_absolute()) return {};
-    return fs::path(home) / ".config" / "patina" / "editor.json";
+    const fs::path folder = user_folder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "editor.json";
 }
 
 Settings read_settings(const fs::path& file) {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <span>
 
 #include "core/files.h"
+#include "core/user_folder.h"
 
 namespace patina::render {
 namespace {
@@ -185,13 +185,8 @@ void keep_within_budget(const EnvironmentCache& cache) {
 }  // namespace
 
 EnvironmentCache user_environment_cache() {
-    const fs::path below = fs::path("patina") / "environments";
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && fs::path(cache).is_absolute())
-        return {.folder = fs::path(cache) / below};
-    const char* home = std::getenv("HOME");
-    if (home == nullptr || !fs::path(home).is_absolute()) return {};
-    return {.folder = fs::path(home) / ".cache" / below};
+    const fs::path folder = user_folder("XDG_CACHE_HOME", ".cache");
+    return {.folder = folder.empty() ? folder : folder / "environments"};
 }
 
 std::optional<FilteredEnvironment> kept_environment(const EnvironmentCache& cache,
