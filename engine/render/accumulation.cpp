@@ -15,11 +15,6 @@ glm::vec2 sample_offset(int i) {
     return {share(kA1), share(kA2)};
 }
 
-bool has_sampled_light(const View& view) {
-    return view.left.model == ShadingModel::Pbr ||
-           (view.compare != CompareMode::Single && view.right.model == ShadingModel::Pbr);
-}
-
 Result<gl::Framebuffer*> sum_for(SizedTarget& target, PictureSize size, int index) {
     Result<gl::Framebuffer*> sum = target.at({size.width, size.height});
     if (sum && index == 0)

@@ -12,9 +12,6 @@ namespace patina::render {
 /// sequence (2018): powers of the inverse of the plastic number, well spread for any count.
 glm::vec2 sample_offset(int i);
 
-/// Whether a side of the view is lit by what samples of the environment converge to.
-bool has_sampled_light(const View& view);
-
 /// One of the draws that a sum is made of.
 struct AddedDraw {
     int index = 0;  ///< its place in the pixel; 0 clears the sum first

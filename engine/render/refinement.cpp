@@ -25,7 +25,7 @@ constexpr int kDrawsForEdges = 64;
 
 AddedDraw added_draw(const Refinement& refinement) {
     AddedDraw draw{.index = refinement.drawn};
-    if (has_sampled_light(refinement.view) && draw.index >= kFilteredDraws)
+    if (shows_pbr(refinement.view) && draw.index >= kFilteredDraws)
         draw.still = StillDraw{draw.index - kFilteredDraws, refinement.draws - kFilteredDraws};
     return draw;
 }
@@ -48,7 +48,7 @@ int refining_draws(const View& view, int most) {
     const bool exact = view.channel != ChannelView::Final ||
                        view.compare == CompareMode::Difference || shows_difference_beside(view);
     if (exact) return 0;
-    return has_sampled_light(view) ? most : std::min(most, kDrawsForEdges);
+    return shows_pbr(view) ? most : std::min(most, kDrawsForEdges);
 }
 
 Status Renderer::refine(Refinement& refinement) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
 #include <span>
 
 #include "render/geometry_passes.h"
@@ -22,13 +23,6 @@ constexpr float kLampRadius = 0.00465f;
 constexpr float kKeyRadius = 0.03f;
 /// A sun nearer to the key light than this is what the key light stands for.
 constexpr float kSameLightCosine = 0.966f;  // 15 degrees
-
-bool shows(const View& view, bool traditional) {
-    const auto is_wanted = [&](const Shading& shading) {
-        return (shading.model != ShadingModel::Pbr) == traditional;
-    };
-    return is_wanted(view.left) || (view.compare != CompareMode::Single && is_wanted(view.right));
-}
 
 void plan_key_light(const View& view, const GpuEnvironment& environment, ShadowPlan& plan) {
     const glm::vec3 towards = -turned_key_direction(view, environment);
@@ -51,7 +45,7 @@ gl::Viewport place_of(std::size_t map) {
     return {{static_cast<int>(map) * kMapSide, 0}, {kMapSide, kMapSide}};
 }
 
-Status draw_map(RendererState& state, std::size_t map, gl::Program& program) {
+void draw_map(RendererState& state, std::size_t map, gl::Program& program) {
     const ShadowView seen =
         shadow_view(state.scene->bounds_world, state.shadow_maps.plan.lights[map].towards_world);
     gl::Pass pass({.label = "shadow map",
@@ -60,9 +54,8 @@ Status draw_map(RendererState& state, std::size_t map, gl::Program& program) {
                    .clear_depth = 1.0f});
     program.set("clip_from_world", seen.clip_from_world);
     std::vector<std::size_t> order(state.scene->items.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::iota(order.begin(), order.end(), std::size_t{0});
     draw_surfaces(state, pass, program, {}, order, SurfaceSet::Opaque);
-    return {};
 }
 
 }  // namespace
@@ -71,7 +64,7 @@ ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment) {
     ShadowPlan plan;
     plan.lamps.fill(-1);
     if (!view.shadows) return plan;
-    if (shows(view, false)) {
+    if (shows_pbr(view)) {
         const glm::mat3 world_from_environment =
             glm::transpose(environment_from_world(view.environment_rotation_degrees));
         for (const EnvironmentSun& sun : environment.suns) {
@@ -80,7 +73,7 @@ ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment) {
         }
         plan.suns = static_cast<int>(plan.lights.size());
     }
-    if (shows(view, true)) plan_key_light(view, environment, plan);
+    if (shows_traditional(view)) plan_key_light(view, environment, plan);
     for (std::size_t i = 0; i < std::min<std::size_t>(view.lights.size(), kMaxLights); ++i) {
         const Light& light = view.lights[i];
         if (light.kind != Light::Kind::Directional || plan.lights.size() == kMostShadows) continue;
@@ -118,8 +111,7 @@ Status draw_shadow_maps(RendererState& state, const View& view) {
         state.shaders.program({"passes/surface.vert", "passes/shadow.frag", {}});
     if (!program) return passed_on(program);
     const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Shadows");
-    for (std::size_t map = 0; map < lights.size(); ++map)
-        if (Status drawn = draw_map(state, map, **program); !drawn) return drawn;
+    for (std::size_t map = 0; map < lights.size(); ++map) draw_map(state, map, **program);
     shadows.drawn = lights;
     shadows.stale = false;
     return {};

@@ -36,7 +36,7 @@ bool samples_environment(const View& view, int samples, OutputMode output) {
     if (samples < kLeastSampledDraws) return false;
     // The mean of differences of noise is not the difference of the means.
     if (view.compare == CompareMode::Difference || shows_difference_beside(view)) return false;
-    if (!has_sampled_light(view)) return false;
+    if (!shows_pbr(view)) return false;
     return output == OutputMode::Radiance || view.channel == ChannelView::Final;
 }
 

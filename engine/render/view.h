@@ -90,6 +90,17 @@ struct View {
 };
 inline constexpr int kMaxLights = 16;
 
+/// Whether a side that is on screen is shaded physically.
+inline bool shows_pbr(const View& view) {
+    return view.left.model == ShadingModel::Pbr ||
+           (view.compare != CompareMode::Single && view.right.model == ShadingModel::Pbr);
+}
+/// Whether one is shaded by a traditional model.
+inline bool shows_traditional(const View& view) {
+    return view.left.model != ShadingModel::Pbr ||
+           (view.compare != CompareMode::Single && view.right.model != ShadingModel::Pbr);
+}
+
 /// Whether the finished picture has three parts: left, right and their difference.
 inline bool shows_difference_beside(const View& view) {
     return view.compare == CompareMode::TwoViews && view.difference_beside &&

@@ -32,9 +32,10 @@ void Session::filter_environment(const EnvironmentSource& source, std::string la
 void Session::finish_environment(const ImagePtr& map, int generation) {
     jobs_.start("Filtering the environment",
                 [this, map, generation](const Progress& progress) -> Jobs::Delivery {
-                    auto finished = render::finished_environment(render::user_environment_cache(),
-                                                                 *map, progress);
+                    auto finished =
+                        render::filter_environment(*map, render::FilterQuality::Finished, progress);
                     if (!finished) return [] {};
+                    render::keep_environment(render::user_environment_cache(), *finished);
                     return light_delivery(std::move(*finished), generation);
                 });
 }
