@@ -280,14 +280,12 @@ class WarpedReader {
             const int y1 = y0 + 1 == size ? 0 : y0 + 1;
             const float* const above = task_.planes->row(task_.channel, component, y0);
             const float* const below = task_.planes->row(task_.channel, component, y1);
-            to[i] = between(between(above[x0], above[x1], part_x),
-                            between(below[x0], below[x1], part_x), part_y);
+            to[i] = formulae::mix(formulae::mix(above[x0], above[x1], part_x),
+                                  formulae::mix(below[x0], below[x1], part_x), part_y);
         }
     }
 
   private:
-    static float between(float a, float b, float t) { return a * (1.0f - t) + b * t; }
-
     const AroundTask& task_;
     alignas(64) float right_[kTileTexels];
     alignas(64) float down_[kTileTexels];

@@ -18,8 +18,12 @@ using formulae::load;
 using formulae::Real;
 using formulae::store;
 
+HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
+    return load(plane.data + i * plane.step);
+}
+
 HWY_INLINE Real entry_at(const MaskTask& task, std::size_t i) {
-    Real value = load(task.source.data + i * task.source.step);
+    Real value = load(task.source, i);
     if (task.invert) value = formulae::inverted(value);
     if (task.levels == nullptr) return value;
     return formulae::levels(value, task.levels->in_low, task.levels->in_high, task.levels->gamma,
@@ -85,10 +89,6 @@ HWY_FLATTEN bool finish(float* mask, bool invert, int count) {
         most = max(most, Real(hn::IfThenElseZero(inside, value.lanes)));
     }
     return !hn::AllTrue(formulae::RealLanes(), (most <= 0.0f).mask);
-}
-
-HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
-    return load(plane.data + i * plane.step);
 }
 
 HWY_FLATTEN void share_by_height(const HeightShareTask& task) {

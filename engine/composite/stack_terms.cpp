@@ -271,10 +271,9 @@ ChannelBits LayerTerms::channel_bits() const {
     return bits;
 }
 
-ChannelBits LayerTerms::run_bits() const {
-    const ChannelBits bits = channel_bits();
-    const bool heights = height_blend != nullptr || (led_by_height(children) & bits) != 0;
-    return heights ? bits | channel_bit(Channel::Height) : bits;
+ChannelBits LayerTerms::with_heights(ChannelBits wanted) const {
+    const bool heights = height_blend != nullptr || (led_by_height(children) & wanted) != 0;
+    return heights ? wanted | channel_bit(Channel::Height) : wanted;
 }
 
 ChannelBits led_by_height(const StackTerms& terms) {
@@ -333,9 +332,7 @@ Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels) {
         if (contribution->source != nullptr) hasher.add(source_hash(*contribution->source));
         if (contribution->adjustment != nullptr) add_adjustment(hasher, *contribution->adjustment);
     }
-    const bool heights =
-        terms.height_blend != nullptr || (led_by_height(terms.children) & channels) != 0;
-    const ChannelBits inside = heights ? channels | channel_bit(Channel::Height) : channels;
+    const ChannelBits inside = terms.with_heights(channels);
     for (const LayerTerms& child : terms.children)
         if ((child.channel_bits() & inside) != 0) hasher.add(layer_hash(child, inside));
     return hasher.finish();

@@ -41,8 +41,10 @@ struct LayerTerms {
     std::vector<LayerTerms> children = {};  ///< of a group
 
     ChannelBits channel_bits() const;
-    /// What runs for the layer: its channels, and heights that something inside it goes by.
-    ChannelBits run_bits() const;
+    /// `wanted`, and the heights that something inside the layer goes by for them.
+    ChannelBits with_heights(ChannelBits wanted) const;
+    /// What runs for the layer.
+    ChannelBits run_bits() const { return with_heights(channel_bits()); }
     /// Whether its weight differs from texel to texel, but for its sources' coverage.
     bool has_mask() const { return mask.varies() || clip.varies() || height_blend != nullptr; }
 };
