@@ -374,11 +374,7 @@ Pixels Editor::viewport() const {
 }
 
 int Editor::wait_for_end() {
-    const auto until = Clock::now() + kPatience;
-    while (!has_ended(child_)) {
-        if (Clock::now() > until) return -1;
-        pause_briefly();
-    }
+    if (!ends_within(child_, kPatience)) return -1;
     const int status = end_status(child_);
     child_ = -1;
     return status;

@@ -37,6 +37,10 @@ fs::path EditorTest::sample() const {
     return file;
 }
 
+bool EditorTest::open(const Editor& editor, const fs::path& file) {
+    return editor.wait_fact("document", file.filename().string()) && editor.settle();
+}
+
 std::string EditorTest::bytes(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};

@@ -23,6 +23,8 @@ class EditorTest : public testing::Test {
     static std::vector<std::string> arguments(const std::filesystem::path& file);
     /// Patina's sample, written to the folder.
     std::filesystem::path sample() const;
+    /// Whether the editor has opened the file, and shows it.
+    static bool open(const Editor& editor, const std::filesystem::path& file);
     static std::string bytes(const std::filesystem::path& file);
     /// The document that the file holds, as Patina reads it back; the reason when it does not.
     static std::string stored(const std::filesystem::path& file);

@@ -19,9 +19,6 @@ using testing::ElementsAre;
 
 class FilesTest : public EditorTest {
   protected:
-    bool open(const Editor& editor, const fs::path& file) const {
-        return editor.wait_fact("document", file.filename().string()) && editor.settle();
-    }
     /// A panorama of one colour, in the format of Radiance.
     static void write_panorama(const fs::path& file) {
         std::ofstream out(file, std::ios::binary);

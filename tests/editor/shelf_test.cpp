@@ -13,9 +13,6 @@ namespace fs = std::filesystem;
 
 class ShelfTest : public EditorTest {
   protected:
-    static bool open(const Editor& editor) {
-        return editor.wait_fact("document", "sample.glb") && editor.settle();
-    }
     static std::vector<std::string> cards(const Editor& editor) {
         std::vector<std::string> result;
         for (const Control& control : editor.controls())
@@ -39,7 +36,7 @@ TEST_F(ShelfTest, FavouritesAreShownAloneAndRemembered) {
     std::string favourite;
     {
         Editor editor(display_.name(), folder_, arguments(file));
-        ASSERT_TRUE(open(editor));
+        ASSERT_TRUE(open(editor, file));
         const std::vector<std::string> all = cards(editor);
         ASSERT_GT(all.size(), 2u);
         favourite = all[1];
@@ -54,7 +51,7 @@ TEST_F(ShelfTest, FavouritesAreShownAloneAndRemembered) {
         EXPECT_EQ(editor.wait_for_end(), 0);
     }
     Editor again(display_.name(), folder_, arguments(file));
-    ASSERT_TRUE(open(again));
+    ASSERT_TRUE(open(again, file));
     ASSERT_TRUE(again.click("Shelf", "Show favourites alone", "button"));
     ASSERT_TRUE(again.wait_for("one card", [&] { return cards(again).size() == 1; }));
     EXPECT_EQ(cards(again).front(), favourite);
@@ -63,7 +60,7 @@ TEST_F(ShelfTest, FavouritesAreShownAloneAndRemembered) {
 TEST_F(ShelfTest, KnobsAreTurnedBeforeAPresetIsLaidOn) {
     const fs::path file = sample();
     Editor editor(display_.name(), folder_, arguments(file));
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, file));
     const std::string before = editor.fact("content");
     ASSERT_TRUE(search(editor, "rusted", "Rusted iron"));
     const auto lay = [&](double share) {

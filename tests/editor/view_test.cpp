@@ -11,16 +11,11 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 
-class ViewTest : public EditorTest {
-  protected:
-    bool open(const Editor& editor) const {
-        return editor.wait_fact("document", "sample.glb") && editor.settle();
-    }
-};
+class ViewTest : public EditorTest {};
 
 TEST_F(ViewTest, FoldingAGroupIsNoEdit) {
     Editor editor(display_.name(), folder_, arguments(sample()));
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, "sample.glb"));
     ASSERT_TRUE(add_layer(editor, "Add value layer"));
     editor.key("ctrl+g");
     ASSERT_TRUE(editor.wait_fact("layer", "Group"));
@@ -38,7 +33,7 @@ TEST_F(ViewTest, FoldingAGroupIsNoEdit) {
 
 TEST_F(ViewTest, TheKeyboardReachesAndPressesControls) {
     Editor editor(display_.name(), folder_, arguments(sample()));
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, "sample.glb"));
     // The first control of the window is the File menu; its first row is Open.
     editor.key("Tab");
     editor.key("Return");
@@ -64,7 +59,7 @@ TEST_F(ViewTest, TheLayoutIsAsItWasLeft) {
     int after = 0;
     {
         Editor editor(display_.name(), folder_, arguments(file));
-        ASSERT_TRUE(open(editor));
+        ASSERT_TRUE(open(editor, "sample.glb"));
         before = width_of(editor);
         ASSERT_TRUE(editor.drag("", "Left splitter", "splitter", 0.5, -5.0));
         ASSERT_TRUE(editor.settle());
@@ -76,7 +71,7 @@ TEST_F(ViewTest, TheLayoutIsAsItWasLeft) {
         EXPECT_EQ(editor.wait_for_end(), 0);
     }
     Editor again(display_.name(), folder_, arguments(file));
-    ASSERT_TRUE(open(again));
+    ASSERT_TRUE(open(again, "sample.glb"));
     EXPECT_EQ(width_of(again), after);
     EXPECT_TRUE(again.find("Shelf", "Unfold the shelf", "button").has_value());
 }
@@ -84,7 +79,7 @@ TEST_F(ViewTest, TheLayoutIsAsItWasLeft) {
 TEST_F(ViewTest, ANarrowWindowHasItsLayersInATab) {
     Editor editor(display_.name(), folder_,
                   {"--window", "1100x700", "--scale", "1", sample().string()});
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, "sample.glb"));
     EXPECT_THAT(editor.layers(), ElementsAre("Imported textures"));
     ASSERT_TRUE(editor.click("Properties", "Layer", "tab"));
     ASSERT_TRUE(editor.wait_for("the layer's opacity", [&] {
@@ -95,7 +90,7 @@ TEST_F(ViewTest, ANarrowWindowHasItsLayersInATab) {
 
 TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
     Editor editor(display_.name(), folder_, arguments(sample()));
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, "sample.glb"));
     editor.key("i");
     ASSERT_TRUE(editor.settle());
     ASSERT_TRUE(editor.click("Viewport", "Model", "viewport"));
@@ -114,7 +109,7 @@ TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
 
 TEST_F(ViewTest, TwoViewsAndTheirDifferenceSayHowFarTheyAreApart) {
     Editor editor(display_.name(), folder_, arguments(sample()));
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, "sample.glb"));
     ASSERT_TRUE(editor.click("Viewport bar", "Two views", "segment"));
     ASSERT_TRUE(editor.click("Properties", "Compare", "tab"));
     ASSERT_TRUE(editor.click("Properties", "Show the difference beside them", "checkbox"));
@@ -139,7 +134,7 @@ TEST_F(ViewTest, TwoViewsAndTheirDifferenceSayHowFarTheyAreApart) {
 TEST_F(ViewTest, ThePictureRefinesWhileNothingMovesAndStartsAgainAfterEveryChange) {
     Editor editor(display_.name(), folder_,
                   {"--window", "1280x720", "--scale", "1", "--refine", "20", sample().string()});
-    ASSERT_TRUE(open(editor));
+    ASSERT_TRUE(open(editor, "sample.glb"));
     const auto refined = [&] {
         EXPECT_TRUE(editor.wait_fact("samples", "20/20"));
         return model_part(editor.viewport());

@@ -93,9 +93,6 @@ class Walk : public EditorTest, public testing::WithParamInterface<std::string> 
         return files_in(model_.parent_path(), &EditorTest::bytes);
     }
 
-    bool open(const Editor& editor) const {
-        return editor.wait_fact("document", model_.filename().string()) && editor.settle();
-    }
     /// The model as it is on screen, when nothing lies on top and all is done.
     static Seen look(const Editor& editor) {
         editor.wait_for("the last message to go", [&] {
@@ -259,7 +256,7 @@ TEST_P(Walk, EveryStepIsSeenKeptUndoneAndSaved) {
     std::vector<std::string> rows;
     {
         Editor editor(display_.name(), folder_, arguments(model_));
-        ASSERT_TRUE(open(editor));
+        ASSERT_TRUE(open(editor, model_));
         steps_.push_back(look(editor));
         ASSERT_NO_FATAL_FAILURE(add_three_layers(editor));
         ASSERT_NO_FATAL_FAILURE(mask_and_blend(editor));
@@ -275,7 +272,7 @@ TEST_P(Walk, EveryStepIsSeenKeptUndoneAndSaved) {
         EXPECT_EQ(editor.wait_for_end(), 0);
     }
     Editor again(display_.name(), folder_, arguments(model_));
-    ASSERT_TRUE(open(again));
+    ASSERT_TRUE(open(again, model_));
     EXPECT_EQ(again.layers(), rows);
     EXPECT_EQ(again.fact("edited"), "no");
     // Baked maps have 8 bits where the compositor has floats: a step of one is not another picture.

@@ -20,8 +20,8 @@ class ShadowTest : public RenderTest {
         ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.8f), 0.0f, 1.0f)));
         view_.environment_intensity = 0.0f;
     }
-    /// A floor of 6 m with a sphere of 1 m whose middle is 1 m above it.
-    void show_sphere_over_floor() {
+    /// A floor of 6 m with a sphere of 1 m lying on it.
+    static std::shared_ptr<Scene> sphere_over_floor() {
         auto scene = std::make_shared<Scene>();
         scene->meshes = {shape_mesh(Shape::Plane), shape_mesh(Shape::Sphere)};
         scene->instances = {
@@ -31,7 +31,10 @@ class ShadowTest : public RenderTest {
             {.mesh = 1,
              .world_from_local = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.5f, 0.0f)),
              .name = "sphere"}};
-        show(scene);
+        return scene;
+    }
+    void show_sphere_over_floor() {
+        show(sphere_over_floor());
         view_.camera.position = {0.0f, 4.0f, 6.0f};
         view_.camera.target = {0.0f, 0.5f, 0.0f};
     }
@@ -155,16 +158,8 @@ TEST_F(ShadowTest, WhatAnAlphaMaskCutsOutCastsNone) {
     SurfaceMaterial gone = constant_surface(glm::vec3(0.8f), 0.0f, 1.0f);
     gone.alpha_mode = AlphaMode::Mask;
     gone[Slot::BaseColor].multiply.a = 0.2f;
-    auto scene = std::make_shared<Scene>();
-    scene->meshes = {shape_mesh(Shape::Plane), shape_mesh(Shape::Sphere)};
+    const std::shared_ptr<Scene> scene = sphere_over_floor();
     for (Primitive& primitive : scene->meshes[1].primitives) primitive.source_material = 1;
-    scene->instances = {
-        {.mesh = 0,
-         .world_from_local = glm::scale(glm::mat4(1.0f), glm::vec3(6.0f, 1.0f, 6.0f)),
-         .name = "floor"},
-        {.mesh = 1,
-         .world_from_local = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.5f, 0.0f)),
-         .name = "sphere"}};
     ASSERT_TRUE(renderer().set_scene(scene));
     const auto darkest = [&] {
         float least = 1.0f;
