@@ -125,6 +125,10 @@ class Preparation {
             if (depth > 0)
                 std::memcpy(planes_.row(channel, components, span.y) + span.x,
                             tile.coverage(depth, channel), bytes);
+            if (planes_.record().relief)
+                std::memcpy(
+                    planes_.row(channel, planes_.blurred_planes_of(channel), span.y) + span.x,
+                    tile.channel(depth, channel), bytes);
         }
     }
 
@@ -139,7 +143,7 @@ class Preparation {
                             .sums = sums.data()};
         for (const ChannelInfo& entry : kChannels) {
             if ((planes_.channels() & channel_bit(entry.channel)) == 0) continue;
-            for (int k = 0; k < planes_.planes_of(entry.channel); ++k) {
+            for (int k = 0; k < planes_.blurred_planes_of(entry.channel); ++k) {
                 float* const row = planes_.row(entry.channel, k, y);
                 for (int i = 0; i < columns_.length + 2 * reach; ++i)
                     line[static_cast<std::size_t>(i)] =
@@ -163,10 +167,10 @@ class Preparation {
     Range read_columns_;
 };
 
-/// Whether a cache goes on from beyond the layer.
+/// Whether a cache goes on from beyond all that reads it.
 bool is_skipped(const AroundRecord& record, const std::vector<CachePoint>& caches) {
     return std::any_of(caches.begin(), caches.end(), [&](const CachePoint& point) {
-        return point.read && point.place.begin <= record.begin && record.begin < point.place.end;
+        return point.read && point.place.begin <= record.begin && record.last < point.place.end;
     });
 }
 
@@ -214,6 +218,7 @@ int AroundPlanes::first_plane(Channel channel) const {
 AroundList prepared_around(const AroundJob& job, const Progress& progress) {
     const ProgramData& program = *job.program;
     AroundList list(program.around.size());
+    const ChannelBits wanted = program.with_needed(job.wanted);
     // The relief of the heights looks one texel around as well.
     int halo = 1 + reach_of(program, job.size);
     for (std::size_t i = 0; i < list.size() && !progress.cancelled(); ++i) {
@@ -221,7 +226,7 @@ AroundList prepared_around(const AroundJob& job, const Progress& progress) {
         const AdjustmentSettings& adjustment =
             program.adjustments[static_cast<std::size_t>(record.adjustment)];
         halo -= reach_of(adjustment, job.size);
-        const ChannelBits channels = record.channels & program.with_needed(job.wanted);
+        const ChannelBits channels = record.channels & wanted;
         if (channels == 0 || is_skipped(record, job.caches)) continue;
         auto planes = std::make_shared<AroundPlanes>(record, adjustment, channels, job.size);
         Preparation(job, list, *planes, halo).run(progress);
@@ -315,6 +320,14 @@ void adjust_around(const AroundTask& task) {
                          kind == ChannelKind::Color || kind == ChannelKind::Scalar, count);
     }
     if (kind == ChannelKind::Normal) normalise_tile(task.to, count);
+}
+
+void fetch_relief(const AroundPlanes& planes, const ReliefSource& source, const TileSpan& span,
+                  float* to) {
+    blur_component({.planes = &planes, .channel = Channel::Height, .span = span}, 0, to);
+    const int own = planes.blurred_planes_of(Channel::Height);
+    relief_tile(static_cast<int>(source.kind), planes.row(Channel::Height, own, span.y) + span.x,
+                source.strength, to, span.count);
 }
 
 }  // namespace patina

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Adjustments that look around (blur, sharpen, warp). A tile alone cannot make them: before the
+/// Adjustments that look around (blur, sharpen, warp), and sources that read the relief below their
+/// layer. A tile alone cannot make them: before the
 /// tiles that are asked for are run, what lies below each such layer is composited for them and a
 /// halo of the layer's reach (and of those above it), and kept as float32 planes. A run that comes
 /// to the layer reads its neighbours there. The borders of the texture meet.
@@ -41,9 +42,13 @@ class AroundPlanes {
     const float* row(Channel channel, int component, int y) const {
         return memory_.data() + row_start(first_plane(channel) + component, y);
     }
-    /// How many planes a channel has: its components, and in a group its coverage last.
-    int planes_of(Channel channel) const {
+    /// How many planes of a channel are blurred: its components, and in a group its coverage last.
+    int blurred_planes_of(Channel channel) const {
         return component_count(channel) + (record_.depth > 0 ? 1 : 0);
+    }
+    /// Those, and for relief the heights as they are.
+    int planes_of(Channel channel) const {
+        return blurred_planes_of(channel) + (record_.relief ? 1 : 0);
     }
 
   private:
@@ -85,5 +90,9 @@ struct AroundTask {
     float* to[3] = {};
 };
 void adjust_around(const AroundTask& task);
+
+/// What a relief source gives in a tile.
+void fetch_relief(const AroundPlanes& planes, const ReliefSource& source, const TileSpan& span,
+                  float* to);
 
 }  // namespace patina

@@ -66,6 +66,11 @@ HWY_FLATTEN void normalise(float* const* planes, int count) {
     }
 }
 
+HWY_FLATTEN void relief(int kind, const float* own, float strength, float* around, int count) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count())
+        store(formulae::relief_value(kind, load(own + i), load(around + i), strength), around + i);
+}
+
 HWY_FLATTEN void warp(const WarpTask& task) {
     const float cells = static_cast<float>(task.cells);
     const float row = (static_cast<float>(task.y) + 0.5f) / task.size * cells;
@@ -91,6 +96,7 @@ HWY_EXPORT(blur);
 HWY_EXPORT(divide_by_coverage);
 HWY_EXPORT(sharpen);
 HWY_EXPORT(normalise);
+HWY_EXPORT(relief);
 HWY_EXPORT(warp);
 
 void blur_tile(const BlurTask& task) {
@@ -107,6 +113,10 @@ void sharpen_tile(float* blurred, const float* own, float amount, bool hold, int
 
 void normalise_tile(float* const planes[3], int count) {
     HWY_DYNAMIC_DISPATCH(normalise)(planes, count);
+}
+
+void relief_tile(int kind, const float* own, float strength, float* around, int count) {
+    HWY_DYNAMIC_DISPATCH(relief)(kind, own, strength, around, count);
 }
 
 void warp_tile(const WarpTask& task) {

@@ -33,6 +33,9 @@ void sharpen_tile(float* blurred, const float* own, float amount, bool hold, int
 /// Takes three planes to unit length.
 void normalise_tile(float* const planes[3], int count);
 
+/// From the mean around heights to what a relief source of a kind RELIEF_... gives, in place.
+void relief_tile(int kind, const float* own, float strength, float* around, int count);
+
 /// Where a warp takes texels [x, x + count) of row y from: how many texels further right and down.
 struct WarpTask {
     int x = 0;

@@ -2,6 +2,7 @@
 #include "composite/compile.h"
 
 #include <algorithm>
+#include <map>
 
 #include "composite/bake_rules.h"
 #include "composite/source_record.h"
@@ -35,6 +36,8 @@ class Emitter {
     void emit_layer(const LayerTerms& terms, int depth, StackState& state);
     void emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state);
     std::int32_t emit_masks(const LayerTerms& terms, const Operation& like);
+    void note_relief(const LayerTerms& terms, int depth);
+    void note_relief(const Source& source, int depth);
     void note_looking_around(const LayerTerms& terms, int depth);
     void emit_height(const LayerTerms& terms, Operation like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
@@ -44,6 +47,9 @@ class Emitter {
     std::int32_t here() const { return static_cast<std::int32_t>(program_.operations.size()); }
 
     ProgramData& program_;
+    /// Which of ProgramData::around a relief source reads. A layer that is clipped to another goes
+    /// by the relief that that one's mask went by.
+    std::map<const Source*, std::int32_t> relief_;
 };
 
 Reading reading_of(Channel channel, bool encoded) {
@@ -95,6 +101,7 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     Operation like{.depth = static_cast<std::uint8_t>(depth), .channels = terms.channel_bits()};
     like.layer = static_cast<std::int32_t>(program_.layers.size());
     program_.layers.push_back({terms.layer->id, terms.layer->name, depth});
+    if (terms.reads_heights) note_relief(terms, depth);
     emit_recoding(terms, like, state);
     const std::int32_t mask_end = emit_masks(terms, like);
     if (terms.has_mask()) like.flags |= kUsesMask;
@@ -156,6 +163,28 @@ std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like)
     step.code = OpCode::MaskClip;
     program_.operations.push_back(step);
     return end;
+}
+
+void Emitter::note_relief(const Source& source, int depth) {
+    const auto* const relief = std::get_if<ReliefSource>(&source);
+    if (relief == nullptr) return;
+    relief_[&source] = static_cast<std::int32_t>(program_.around.size());
+    program_.around.push_back({.begin = here(),
+                               .relief = true,
+                               .adjustment = static_cast<std::int32_t>(program_.adjustments.size()),
+                               .depth = static_cast<std::uint8_t>(depth),
+                               .channels = channel_bit(Channel::Height)});
+    program_.adjustments.push_back(
+        {.kind = AdjustmentKind::Blur, .radius_permille = relief->radius_permille});
+}
+
+/// Notes the sources of a layer that read the relief below it, before any of its operations.
+void Emitter::note_relief(const LayerTerms& terms, int depth) {
+    for (const MaskEntry* entry : terms.mask.entries) note_relief(entry->source, depth);
+    for (const MaskEntry* entry : terms.clip.entries)
+        if (!relief_.contains(&entry->source)) note_relief(entry->source, depth);
+    for (const auto& contribution : terms.channels)
+        if (contribution && contribution->source) note_relief(*contribution->source, depth);
 }
 
 /// Notes a layer whose operations, which follow, look around.
@@ -226,6 +255,7 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
         like.code = OpCode::Adjust;
         like.source = static_cast<std::int32_t>(program_.adjustments.size());
         const bool around = looks_around(contribution.adjustment->kind);
+        if (around) program_.around.back().last = here();
         like.jump = around ? static_cast<std::int32_t>(program_.around.size()) - 1 : -1;
         program_.adjustments.push_back(*contribution.adjustment);
     } else if (contribution.source != nullptr) {
@@ -244,6 +274,10 @@ std::int32_t Emitter::add_source(const Source& source, Reading reading) {
         const auto found = std::find(program_.images.begin(), program_.images.end(), image->image);
         record.image = static_cast<std::int32_t>(found - program_.images.begin());
         if (found == program_.images.end()) program_.images.push_back(image->image);
+    }
+    if (const auto relief = relief_.find(&source); relief != relief_.end()) {
+        record.around = relief->second;
+        program_.around[static_cast<std::size_t>(relief->second)].last = here();
     }
     program_.sources.push_back(std::move(record));
     return static_cast<std::int32_t>(program_.sources.size()) - 1;

@@ -108,6 +108,7 @@ struct SourceRecord {
     Source source = {};
     Reading reading = Reading::Scalar;
     std::int32_t image = -1;   ///< index into ProgramData::images, for an ImageSource
+    std::int32_t around = -1;  ///< index into ProgramData::around, for a ReliefSource
     std::int32_t levels = -1;  ///< index into ProgramData::levels, for a mask entry
     std::array<UniformPlane, 3> constant = {};  ///< of a ConstantSource, as `reading` says
     /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.
@@ -124,10 +125,12 @@ struct HeightBlendRecord {
     bool of_children = false;  ///< the layer's height is what the next depth accumulated
 };
 
-/// A layer whose adjustment looks around (composite/around.h).
+/// What lies below a layer whose adjustment looks around, or whose mask or source reads the relief
+/// there (composite/around.h).
 struct AroundRecord {
-    /// Its first Adjust: what the operations before it leave is what it reads.
-    std::int32_t begin = 0;
+    std::int32_t begin = 0;       ///< what the operations before it leave is what is read
+    std::int32_t last = 0;        ///< the last operation that reads it
+    bool relief = false;          ///< heights, blurred and as they are, for a ReliefSource
     std::int32_t adjustment = 0;  ///< index into ProgramData::adjustments
     std::uint8_t depth = 0;
     ChannelBits channels = 0;

@@ -39,9 +39,16 @@ class Runner {
     }
     FetchedSource fetch(std::int32_t source, float* first_plane) {
         const auto index = static_cast<std::size_t>(source);
+        if (program_.sources[index].around >= 0) return fetch_relief(index, first_plane);
         float* const target[3] = {first_plane, planes_.source(1), planes_.source(2)};
         return fetch_source(program_.sources[index], run_.images->sources[index], span_, target,
                             planes_);
+    }
+    FetchedSource fetch_relief(std::size_t source, float* to) {
+        const SourceRecord& record = program_.sources[source];
+        patina::fetch_relief(*(*run_.around)[static_cast<std::size_t>(record.around)],
+                             std::get<ReliefSource>(record.source), span_, to);
+        return {{{.data = to}, {}, {}}, uniform_one()};
     }
 
     const TileRun& run_;

@@ -16,6 +16,7 @@ struct FetchedSource {
     ReadPlane coverage = {};
 };
 
+/// Any source but relief, for which the run has to look around.
 /// @param target  planes that may be overwritten, and hold the components unless they are constant
 /// @param planes  scratch: the plane of the source's coverage is overwritten
 FetchedSource fetch_source(const SourceRecord& record, const BoundImage& image,

@@ -115,7 +115,7 @@ void find_covering(StackTerms& terms, Channel channel) {
 
 /// Whether heights below decide what is seen of the layer or of one that it passes them through to.
 bool reads_height_below(const LayerTerms& layer) {
-    return layer.height_blend != nullptr ||
+    return layer.reads_heights ||
            (layer.pass_through &&
             std::any_of(layer.children.begin(), layer.children.end(), reads_height_below));
 }
@@ -148,6 +148,23 @@ bool is_transparent(const LayerTerms& terms, float weight) {
            });
 }
 
+bool is_relief(const Source& source) {
+    return std::holds_alternative<ReliefSource>(source);
+}
+
+/// Whether the mask or a source of the layer is made of the relief below it.
+bool reads_relief(const LayerTerms& terms) {
+    const auto in_mask = [](const MaskTerm& mask) {
+        return std::any_of(mask.entries.begin(), mask.entries.end(),
+                           [](const MaskEntry* entry) { return is_relief(entry->source); });
+    };
+    const auto in_channel = [](const std::optional<Contribution>& contribution) {
+        return contribution && contribution->source && is_relief(*contribution->source);
+    };
+    return in_mask(terms.mask) || in_mask(terms.clip) ||
+           std::any_of(terms.channels.begin(), terms.channels.end(), in_channel);
+}
+
 /// Adds the terms of a layer, if it can change anything. `base`: what it is clipped to, or null.
 void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, Below below,
                  StackTerms& stack) {
@@ -173,6 +190,7 @@ void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, B
         const bool own = height.enabled && std::holds_alternative<FillContent>(layer.content);
         if (own) terms.height = &height.source;
     }
+    terms.reads_heights = terms.height_blend != nullptr || reads_relief(terms);
     stack.push_back(std::move(terms));
 }
 
@@ -224,6 +242,10 @@ void add_source(Hasher& hasher, const ProceduralSource& source) {
     }
 }
 
+void add_source(Hasher& hasher, const ReliefSource& source) {
+    hasher.add(source.kind).add(source.radius_permille).add(source.strength);
+}
+
 void add_levels(Hasher& hasher, const Levels& levels) {
     hasher.add(levels.in_low).add(levels.in_high).add(levels.gamma);
     hasher.add(levels.out_low).add(levels.out_high);
@@ -272,15 +294,14 @@ ChannelBits LayerTerms::channel_bits() const {
 }
 
 ChannelBits LayerTerms::with_heights(ChannelBits wanted) const {
-    const bool heights = height_blend != nullptr || (led_by_height(children) & wanted) != 0;
+    const bool heights = reads_heights || (led_by_height(children) & wanted) != 0;
     return heights ? wanted | channel_bit(Channel::Height) : wanted;
 }
 
 ChannelBits led_by_height(const StackTerms& terms) {
     ChannelBits bits = 0;
     for (const LayerTerms& layer : terms)
-        bits |=
-            layer.height_blend != nullptr ? layer.channel_bits() : led_by_height(layer.children);
+        bits |= layer.reads_heights ? layer.channel_bits() : led_by_height(layer.children);
     return bits;
 }
 

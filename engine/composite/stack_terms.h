@@ -37,6 +37,7 @@ struct LayerTerms {
     /// How heights decide about the layer; null where they do not.
     const HeightBlend* height_blend = nullptr;
     const Source* height = nullptr;  ///< the layer's height for that; null: the surface, or a group
+    bool reads_heights = false;  ///< what lies below decides by its heights, for mask or sources
     PerChannel<std::optional<Contribution>> channels = {};
     std::vector<LayerTerms> children = {};  ///< of a group
 

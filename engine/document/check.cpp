@@ -43,6 +43,13 @@ Status check_part(SourceUse use, const ProceduralSource& source) {
                           check_transform(source.transform), check_ramp(use, source.ramp)});
 }
 
+Status check_part(SourceUse use, const ReliefSource& source) {
+    if (use && info(*use).kind != ChannelKind::Scalar)
+        return failure("relief feeds masks and single numbers only");
+    return first_failure({check_range(Parameter::ReliefRadius, source.radius_permille),
+                          check_range(Parameter::ReliefStrength, source.strength)});
+}
+
 Status check_entry(const MaskEntry& entry) {
     return first_failure({check_name(entry.name),
                           check_range(Parameter::MaskEntryOpacity, entry.opacity),

@@ -64,6 +64,9 @@ inline constexpr std::array kProceduralKinds = {
     Choice{"marble", "Marble"},
     Choice{"grunge", "Grunge"},
 };
+inline constexpr std::array kReliefKinds = {
+    Choice{"relief-height", "Height below"}, Choice{"relief-cavity", "Cavities below"},
+    Choice{"relief-edge", "Edges below"}, Choice{"relief-curvature", "Curvature below"}};
 inline constexpr std::array kAdjustmentKinds = {
     Choice{"levels", "Levels"},
     Choice{"curves", "Curves"},
@@ -93,6 +96,7 @@ constexpr std::span<const Choice> choices() {
     if constexpr (std::is_same_v<Enumeration, ColorSpace>) return kColorSpaces;
     if constexpr (std::is_same_v<Enumeration, ChannelPick>) return kChannelPicks;
     if constexpr (std::is_same_v<Enumeration, ProceduralKind>) return kProceduralKinds;
+    if constexpr (std::is_same_v<Enumeration, ReliefKind>) return kReliefKinds;
     if constexpr (std::is_same_v<Enumeration, AdjustmentKind>) return kAdjustmentKinds;
     if constexpr (std::is_same_v<Enumeration, Light::Kind>) return kLightKinds;
     if constexpr (std::is_same_v<Enumeration, SampleType>) return kSampleTypes;

@@ -120,6 +120,16 @@ ProceduralSource read_procedural(SourceUse use, ProceduralKind kind, JsonObject&
     return source;
 }
 
+ReliefSource read_relief(SourceUse use, ReliefKind kind, JsonObject& object) {
+    ReliefSource source;
+    source.kind = kind;
+    source.radius_permille =
+        object.number("radius", Parameter::ReliefRadius, source.radius_permille);
+    source.strength = object.number("strength", Parameter::ReliefStrength, source.strength);
+    note(check_source(use, source), object.pointer(), object.faults());
+    return source;
+}
+
 Source read_source(SourceUse use, const Json& json, const std::string& pointer,
                    JsonFaults& faults) {
     if (!json.is_object()) return ConstantSource{read_value(use, json, pointer, faults)};
@@ -130,6 +140,8 @@ Source read_source(SourceUse use, const Json& json, const std::string& pointer,
         source = read_image(object);
     else if (const auto noise = choice_from_id<ProceduralKind>(kind))
         source = read_procedural(use, *noise, object);
+    else if (const auto relief = choice_from_id<ReliefKind>(kind))
+        source = read_relief(use, *relief, object);
     else
         object.fault("kind", "is no kind of source");
     object.finish();

@@ -91,6 +91,14 @@ Json part_to_json(SourceUse use, const ProceduralSource& source) {
     return json;
 }
 
+Json part_to_json(SourceUse, const ReliefSource& source) {
+    const ReliefSource standard;
+    Json json = {{"kind", choice(source.kind).id}};
+    add_unless(json, "radius", source.radius_permille, standard.radius_permille);
+    add_unless(json, "strength", source.strength, standard.strength);
+    return json;
+}
+
 Json source_to_json(SourceUse use, const Source& source) {
     return std::visit([&](const auto& part) { return part_to_json(use, part); }, source);
 }

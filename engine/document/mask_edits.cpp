@@ -115,6 +115,10 @@ MaskEntry procedural_mask_entry(ProceduralKind kind) {
     return entry_named(choice(kind).label, source);
 }
 
+MaskEntry relief_mask_entry(ReliefKind kind) {
+    return entry_named(choice(kind).label, ReliefSource{.kind = kind});
+}
+
 MaskEntryId next_mask_entry_id(const Document& document) {
     return MaskEntryId{document.next_id};
 }

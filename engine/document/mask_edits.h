@@ -24,6 +24,7 @@ Edit clear_mask(const Material& material, const Layer& layer);
 MaskEntry value_mask_entry();
 MaskEntry image_mask_entry(const ImageAsset& image);
 MaskEntry procedural_mask_entry(ProceduralKind kind);
+MaskEntry relief_mask_entry(ReliefKind kind);
 
 /// The id that the next mask entry added to `document` gets.
 MaskEntryId next_mask_entry_id(const Document& document);

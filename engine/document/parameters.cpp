@@ -111,6 +111,13 @@ constexpr std::array kParameters = {
     ParameterInfo{.parameter = Parameter::RampPosition, .subject = Subject::Procedural, .id = "position", .label = "Position", .kind = Number,
         .tooltip = "Where in the noise, from 0 to 1, the ramp has this value."},
 
+    ParameterInfo{.parameter = Parameter::ReliefKindChoice, .subject = Subject::Relief, .id = "kind", .label = "Relief", .kind = ParameterKind::Choice, .standard = 1.0, .choices = kReliefKinds,
+        .tooltip = "What of the heights below the layer: how high, hollow or proud a texel is."},
+    ParameterInfo{.parameter = Parameter::ReliefRadius, .subject = Subject::Relief, .id = "radius", .label = "Radius", .kind = Number, .minimum = 0.1, .maximum = 50.0, .standard = 10.0, .step = 0.1, .decimals = 1, .unit = "‰", .curve = SliderCurve::Logarithmic,
+        .tooltip = "How far the surroundings reach, in thousandths of the texture's side: 0.1 to 50 ‰."},
+    ParameterInfo{.parameter = Parameter::ReliefStrength, .subject = Subject::Relief, .id = "strength", .label = "Strength", .kind = Number, .minimum = 0.1, .maximum = 100.0, .standard = 8.0, .step = 0.5, .decimals = 1, .curve = SliderCurve::Logarithmic,
+        .tooltip = "What the difference of heights is multiplied by, 0.1 to 100."},
+
     ParameterInfo{.parameter = Parameter::MaskEnabled, .subject = Subject::Mask, .id = "enabled", .label = "Enabled", .kind = Switch, .standard = 1.0,
         .tooltip = "Without its mask the layer covers everything."},
     ParameterInfo{.parameter = Parameter::MaskInvert, .subject = Subject::Mask, .id = "invert", .label = "Invert", .kind = Switch,

@@ -27,6 +27,7 @@ enum class Subject : std::uint8_t {
     Image,        ///< an image source
     UvTransform,  ///< of an image or procedural source
     Procedural,   ///< a procedural source
+    Relief,       ///< a relief source
     Mask,
     MaskEntry,
     Levels,  ///< of a mask entry or an adjustment
@@ -98,6 +99,10 @@ enum class Parameter : std::uint8_t {
     ProceduralAspect,
     ProceduralWarp,
     RampPosition,
+
+    ReliefKindChoice,
+    ReliefRadius,
+    ReliefStrength,
 
     MaskEnabled,
     MaskInvert,

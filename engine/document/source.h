@@ -111,6 +111,18 @@ struct ProceduralSource {
     bool operator==(const ProceduralSource&) const = default;
 };
 
-using Source = std::variant<ConstantSource, ImageSource, ProceduralSource>;
+/// In the order of RELIEF_... of shaders/shared/height.glsl.
+enum class ReliefKind : std::uint8_t { Height, Cavity, Edge, Curvature };
+
+/// What the heights that lie below the layer in its own stack are like at a texel, 0..1: how high,
+/// how far below or above their surroundings. Feeds masks and single numbers.
+struct ReliefSource {
+    ReliefKind kind = ReliefKind::Cavity;
+    float radius_permille = 10.0f;  ///< 0.1 to 50 thousandths of the texture's side: surroundings
+    float strength = 8.0f;          ///< 0.1 to 100; 1 is reached at a difference of 1 / strength
+    bool operator==(const ReliefSource&) const = default;
+};
+
+using Source = std::variant<ConstantSource, ImageSource, ProceduralSource, ReliefSource>;
 
 }  // namespace patina

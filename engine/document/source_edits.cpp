@@ -64,6 +64,7 @@ template <typename Kind>
 constexpr std::string_view kind_name() {
     if constexpr (std::is_same_v<Kind, ImageSource>) return "an image";
     if constexpr (std::is_same_v<Kind, ProceduralSource>) return "a procedural";
+    if constexpr (std::is_same_v<Kind, ReliefSource>) return "a relief";
 }
 
 /// An edit of a source of one kind; refused while the source is of another.
@@ -234,6 +235,13 @@ Edit set_ramp_stop(const SourcePlace& place, int index, const RampStop& stop) {
                                stop.position, canonical_value(use_of(place), stop.value)};
                            return {};
                        });
+}
+
+Edit set_relief(const SourcePlace& place, const ReliefSource& relief, Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    const bool merges = row.kind == ParameterKind::Number;
+    return edit_of<ReliefSource>(place, row.label, merges ? key_of(place, row.id) : MergeKey{},
+                                 [relief](ReliefSource& part) { part = relief; });
 }
 
 Edit set_image(const SourcePlace& place, const ImageAssetPtr& image) {

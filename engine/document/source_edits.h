@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "document/edit.h"
+#include "document/parameters.h"
 
 namespace patina {
 
@@ -49,6 +50,9 @@ Edit set_procedural_warp(const SourcePlace& place, float warp);
 Edit set_ramp(const SourcePlace& place, std::vector<RampStop> stops);
 /// Moves or recolours one stop; its position has to stay between its neighbours'.
 Edit set_ramp_stop(const SourcePlace& place, int index, const RampStop& stop);
+
+/// `parameter`: what is being changed, for the label; drags of one parameter merge.
+Edit set_relief(const SourcePlace& place, const ReliefSource& relief, Parameter parameter);
 
 Edit set_image(const SourcePlace& place, const ImageAssetPtr& image);  ///< in the document already
 Edit set_image_color_space(const SourcePlace& place, ColorSpace space);

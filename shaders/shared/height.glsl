@@ -26,6 +26,23 @@ Real height_subtract(Real backdrop, Real source) {
     return backdrop - source;
 }
 
+const int RELIEF_HEIGHT = 0;
+const int RELIEF_CAVITY = 1;
+const int RELIEF_EDGE = 2;
+const int RELIEF_CURVATURE = 3;
+
+/// What a height is like among its surroundings, 0..1: of kind RELIEF_HEIGHT how high (0.5 at the
+/// surface), else how far below or above their mean (0 where it is level; curvature: 0.5, and lower
+/// in cavities). `around`: the mean. A difference from a blur is the curvature at its scale:
+/// D. Marr and E. Hildreth, "Theory of edge detection", Proc. R. Soc. Lond. B 207, 1980.
+Real relief_value(int kind, Real own, Real around, float strength) {
+    if (kind == RELIEF_HEIGHT) return clamp(own * (0.5f * strength) + 0.5f, 0.0f, 1.0f);
+    Real lift = (own - around) * strength;
+    if (kind == RELIEF_CAVITY) return clamp(-lift, 0.0f, 1.0f);
+    if (kind == RELIEF_EDGE) return clamp(lift, 0.0f, 1.0f);
+    return clamp(lift * 0.5f + 0.5f, 0.0f, 1.0f);
+}
+
 /// Which share of a surface a layer of height `source` has, where it lies among what has height
 /// `backdrop`: 0.5 where they are level, 1 (or 0) where the layer is higher (lower) by the radius or
 /// more. Rises with the layer; the shares of two layers that change places add up to 1.

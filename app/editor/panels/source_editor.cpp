@@ -16,7 +16,13 @@
 namespace patina::editor {
 namespace {
 
-constexpr std::array<std::string_view, 3> kKinds = {"Value", "Image", "Procedural"};
+constexpr std::array<std::string_view, 4> kKinds = {"Value", "Image", "Procedural", "Relief"};
+
+/// Relief is one number: of masks and scalars.
+std::span<const std::string_view> kinds_for(std::optional<Channel> channel) {
+    const bool scalar = !channel || info(*channel).kind == ChannelKind::Scalar;
+    return std::span(kKinds).first(scalar ? 4 : 3);
+}
 
 glm::vec3 neutral_value(std::optional<Channel> channel) {
     return channel ? stack_bottom(*channel) : glm::vec3(1.0f);
@@ -39,6 +45,7 @@ Requests change_kind(const EditedSource& edited, int kind, const Shown& shown) {
     if (kind == 0)
         requests.edit(set_source(edited.place, ConstantSource{neutral_value(edited.channel)}));
     if (kind == 2) requests.edit(set_source(edited.place, new_procedural(edited.channel)));
+    if (kind == 3) requests.edit(set_source(edited.place, ReliefSource{}));
     if (kind != 1) return requests;
     if (shown.document->images.empty()) {
         if (edited.channel)
@@ -227,6 +234,30 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
     return requests;
 }
 
+Requests draw_relief(Ui& ui, Rect& rest, const SourcePlace& place, const ReliefSource& now) {
+    Requests requests;
+    const auto kind =
+        parameter_combo(ui, next_line(ui, rest), Parameter::ReliefKindChoice, now.kind);
+    ReliefSource changed = now;
+    if (kind) {
+        changed.kind = *kind;
+        requests.edit(set_relief(place, changed, Parameter::ReliefKindChoice));
+    }
+    const auto boxes = side_by_side<2>(ui, next_line(ui, rest));
+    const auto number = [&](const Rect& box, Parameter parameter, float ReliefSource::*member) {
+        const auto next =
+            number_field(ui, box, number_spec(parameter), static_cast<double>(now.*member));
+        if (!next) return;
+        changed.*member = static_cast<float>(*next);
+        requests.edit(set_relief(place, changed, parameter));
+    };
+    number(boxes[0], Parameter::ReliefStrength, &ReliefSource::strength);
+    // Heights by themselves have no surroundings.
+    if (now.kind != ReliefKind::Height)
+        number(boxes[1], Parameter::ReliefRadius, &ReliefSource::radius_permille);
+    return requests;
+}
+
 Requests draw_direction(Ui& ui, const Rect& rect, const SourcePlace& place,
                         const glm::vec3& value) {
     constexpr std::array<std::string_view, 3> kNames = {"X", "Y", "Z"};
@@ -272,7 +303,7 @@ Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, cons
     // The row above has the same value with the same name.
     const Place place(ui, "Source");
     const auto kind = static_cast<int>(edited.source.index());
-    if (const auto chosen = segmented(ui, next_line(ui, rest), kKinds, kind))
+    if (const auto chosen = segmented(ui, next_line(ui, rest), kinds_for(edited.channel), kind))
         requests.append(change_kind(edited, *chosen, shown));
     if (std::holds_alternative<ConstantSource>(edited.source))
         requests.append(draw_constant(ui, next_line(ui, rest), edited, true));
@@ -280,6 +311,8 @@ Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, cons
         requests.append(draw_image(ui, rest, edited, *image, shown));
     if (const auto* procedural = std::get_if<ProceduralSource>(&edited.source))
         requests.append(draw_procedural(ui, rest, edited, *procedural));
+    if (const auto* relief = std::get_if<ReliefSource>(&edited.source))
+        requests.append(draw_relief(ui, rest, edited.place, *relief));
     return requests;
 }
 
@@ -291,6 +324,8 @@ std::string source_name(const Source& source, std::optional<Channel> channel,
     }
     if (const auto* procedural = std::get_if<ProceduralSource>(&source))
         return std::string(choice(procedural->kind).label);
+    if (const auto* relief = std::get_if<ReliefSource>(&source))
+        return std::string(choice(relief->kind).label);
     const glm::vec3 value = std::get<ConstantSource>(source).value;
     return is_color(channel) ? hex_color(value) : number_text(static_cast<double>(value.x));
 }

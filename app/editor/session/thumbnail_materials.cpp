@@ -41,6 +41,8 @@ Source as_color(const Source& source, Channel channel) {
         image->add = glm::vec3(0.0f);
         image->directx_normal = false;
     }
+    // The relief is that of other layers.
+    if (std::holds_alternative<ReliefSource>(result)) result = ConstantSource{glm::vec3(0.5f)};
     return result;
 }
 

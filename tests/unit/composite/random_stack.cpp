@@ -113,6 +113,11 @@ ProceduralSource RandomStack::procedural() {
 
 Source RandomStack::source(Channel channel) {
     if (sources_ == RandomSources::All && chance(25)) return procedural();
+    const bool scalar = info(channel).kind == ChannelKind::Scalar;
+    if (sources_ == RandomSources::All && scalar && chance(12))
+        return ReliefSource{.kind = static_cast<ReliefKind>(index(4)),
+                            .radius_permille = number(1, 50),
+                            .strength = number(1, 20)};
     if (chance(50)) return image_source(channel);
     if (channel == Channel::Normal)
         return ConstantSource{{number(-0.5f, 0.5f), number(-0.5f, 0.5f), 1.0f}};

@@ -87,6 +87,10 @@ TEST(Parameters, StandardsAreThoseOfNewValues) {
     EXPECT_FLOAT_EQ(static_cast<float>(standard(Parameter::HeightBlendRadius)),
                     height_blend.radius);
     EXPECT_EQ(standard(Parameter::HeightBlendContrast), height_blend.contrast);
+    const ReliefSource relief;
+    EXPECT_EQ(standard(Parameter::ReliefKindChoice), static_cast<double>(relief.kind));
+    EXPECT_EQ(standard(Parameter::ReliefRadius), relief.radius_permille);
+    EXPECT_EQ(standard(Parameter::ReliefStrength), relief.strength);
     const AdjustmentSettings adjustment;
     EXPECT_EQ(standard(Parameter::AdjustmentRadius), adjustment.radius_permille);
     EXPECT_EQ(standard(Parameter::AdjustmentAmount), adjustment.amount);
@@ -135,17 +139,12 @@ TEST(Parameters, TheSchemaStatesTheSameRangesStandardsAndChoices) {
         read_text_file(std::filesystem::path(PATINA_SOURCE_DIR) / "presets/schema.json").value());
     const json& defs = schema["$defs"];
     const std::map<Subject, std::string> places = {
-        {Subject::Layer, "/fill"},
-        {Subject::Channel, "/color-channel"},
-        {Subject::Image, "/image"},
-        {Subject::UvTransform, "/transform"},
-        {Subject::Mask, "/mask"},
-        {Subject::Procedural, "/procedural-scalar"},
-        {Subject::Levels, "/levels"},
-        {Subject::MaskEntry, "/mask-entry"},
-        {Subject::Light, "/light"},
-        {Subject::HeightBlend, "/height-blend"},
-        {Subject::Adjustment, "/adjustment"},
+        {Subject::Layer, "/fill"},    {Subject::Channel, "/color-channel"},
+        {Subject::Image, "/image"},   {Subject::UvTransform, "/transform"},
+        {Subject::Mask, "/mask"},     {Subject::Procedural, "/procedural-scalar"},
+        {Subject::Levels, "/levels"}, {Subject::MaskEntry, "/mask-entry"},
+        {Subject::Light, "/light"},   {Subject::HeightBlend, "/height-blend"},
+        {Subject::Relief, "/relief"}, {Subject::Adjustment, "/adjustment"},
     };
     int compared = 0;
     for (const ParameterInfo& row : parameters()) {

@@ -123,9 +123,12 @@ struct Target {
 using EditOf = std::function<Edit(const Target&)>;
 
 Source some_source(const Target& t) {
-    switch (t.choices.below(3)) {
+    switch (t.choices.below(4)) {
         case 0:
             return ConstantSource{t.color()};
+        case 2:
+            return ReliefSource{.kind = static_cast<ReliefKind>(t.choices.below(4)),
+                                .radius_permille = t.choices.number(0, 60)};
         case 1: {
             ImageSource image;
             image.image = t.choices.coin() ? sample_image()->hash : Hash128{1, 2};
@@ -279,6 +282,11 @@ const std::vector<EditOf>& edits_of_sources() {
                                  {t.choices.number(0, 1), t.color()});
         },
         [](const Target& t) { return set_image(t.source(), sample_image()); },
+        [](const Target& t) {
+            return set_relief(t.source(),
+                              {.kind = ReliefKind::Edge, .strength = t.choices.number(0, 100)},
+                              Parameter::ReliefStrength);
+        },
         [](const Target& t) {
             return set_image_color_space(t.source(), static_cast<ColorSpace>(t.choices.below(2)));
         },

@@ -252,6 +252,13 @@ Real4 probe_neighbourhood(Real4 a, Real4 b) {
                  direction.y);
 }
 
+Real4 probe_relief(Real4 a, Real4 b) {
+    return Real4(relief_value(RELIEF_HEIGHT, a.x - 0.5f, b.x, 1.5f),
+                 relief_value(RELIEF_CAVITY, a.y, b.y, 2.0f),
+                 relief_value(RELIEF_EDGE, a.z, b.z, 2.0f),
+                 relief_value(RELIEF_CURVATURE, a.w, b.w, 2.0f));
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -264,6 +271,7 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 46) return probe_environment(which - 42, a, b);
     if (which < 48) return probe_adjust(which - 46, a);
     if (which == 48) return probe_heights(a, b);
+    if (which == 50) return probe_relief(a, b);
     if (which == 49) return probe_neighbourhood(a, b);
     return Real4(-1.0f);
 }

@@ -68,6 +68,7 @@ inline constexpr Probe kProbes[] = {
     {"hue_saturation", 8e-6f},
     {"height_share", 2e-5f},
     {"blur_weight, sharpened, warp_direction", 1e-5f},
+    {"relief_value", 2e-6f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 

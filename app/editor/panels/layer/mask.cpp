@@ -17,6 +17,7 @@ namespace {
 
 std::string kind_of(const Source& source) {
     if (std::holds_alternative<ImageSource>(source)) return "Image";
+    if (std::holds_alternative<ReliefSource>(source)) return "Relief";
     return std::holds_alternative<ProceduralSource>(source) ? "Procedural" : "Value";
 }
 
@@ -132,6 +133,9 @@ Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
         if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
             requests.edit(
                 add_mask_entry(subject.material, subject.layer, procedural_mask_entry(kind)));
+    for (const ReliefKind kind : {ReliefKind::Cavity, ReliefKind::Edge})
+        if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
+            requests.edit(add_mask_entry(subject.material, subject.layer, relief_mask_entry(kind)));
     if (menu.item({.icon = icon::kImage, .label = "Image\u2026"}))
         requests.ask(ChooseImageFor{subject.layer.id, std::monostate{}});
     if (menu.item({.icon = icon::kDroplet, .label = "Value"}))
