@@ -10,6 +10,7 @@
 #include "cli/input.h"
 #include "cli/map_options.h"
 #include "cli/progress_bar.h"
+#include "cli/uv_report.h"
 #include "core/log.h"
 #include "io/save.h"
 
@@ -41,17 +42,24 @@ struct BakeOptions {
 struct BakeReport {
     io::SaveReport saved;
     std::vector<std::filesystem::path> map_files;
+    std::vector<std::pair<std::string, UvLayout>> uvs;  ///< of each material, by its name
 };
 
 nlohmann::ordered_json to_json(const BakeReport& baked) {
     const io::SaveReport& report = baked.saved;
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& file : baked.map_files) files.push_back(file.string());
+    nlohmann::ordered_json uvs = nlohmann::ordered_json::array();
+    for (const auto& [name, layout] : baked.uvs) {
+        uvs.push_back({{"material", name}});
+        uvs.back().update(uv_layout_json(layout));
+    }
     return {{"output", report.path.string()},
             {"bytes", report.bytes},
             {"materials_written", report.materials_written},
             {"maps_baked", report.maps_baked},
             {"map_files", files},
+            {"uvs", uvs},
             {"warnings", report.warnings}};
 }
 
@@ -60,6 +68,9 @@ void print(const BakeReport& baked) {
     fmt::print("{}: {} bytes, {} materials written, {} maps baked\n", report.path.string(),
                report.bytes, report.materials_written, report.maps_baked);
     for (const auto& file : baked.map_files) fmt::print("{}\n", file.string());
+    for (const auto& [name, layout] : baked.uvs)
+        if (layout.overlapped > 0.0)
+            fmt::print("UVs of {}: {}\n", quoted_for_message(name), uv_layout_words(layout));
 }
 
 Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
@@ -68,7 +79,9 @@ Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
     const auto saved = io::save_document(*loaded->document, *loaded->images, options.output,
                                          options.save, progress);
     if (!saved) return passed_on(saved);
-    BakeReport report{.saved = *saved, .map_files = {}};
+    BakeReport report{.saved = *saved, .map_files = {}, .uvs = {}};
+    for (const MaterialPtr& material : loaded->document->materials)
+        report.uvs.emplace_back(material->name, uv_layout_of(*loaded->document, *material));
     if (options.maps_folder.empty()) return report;
     io::MapExportOptions maps = options.maps;
     maps.size = options.save.size;

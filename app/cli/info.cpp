@@ -7,6 +7,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/uv_report.h"
 #include "document/choices.h"
 
 namespace patina::cli {
@@ -78,11 +79,12 @@ Json to_json(const Layer& layer) {
     return json;
 }
 
-Json to_json(const Material& material) {
+Json to_json(const Document& document, const Material& material) {
     Json json = {{"name", material.name},
                  {"resolution", material.resolution},
                  {"alpha_mode", choice(material.alpha_mode).id},
                  {"double_sided", material.double_sided},
+                 {"uvs", uv_layout_json(uv_layout_of(document, material))},
                  {"stack", Json::array()}};
     for (const LayerPtr& layer : material.stack) json["stack"].push_back(to_json(*layer));
     return json;
@@ -109,7 +111,7 @@ Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
                                   {"channels", image->channels},
                                   {"type", choice(image->type).id}});
     for (const MaterialPtr& material : document.materials)
-        json["materials"].push_back(to_json(*material));
+        json["materials"].push_back(to_json(document, *material));
     return json;
 }
 
@@ -149,6 +151,7 @@ void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
     for (const MaterialPtr& material : document.materials) {
         fmt::print("\nmaterial {}: {} texels a side, {}\n", quoted_for_message(material->name),
                    material->resolution, choice(material->alpha_mode).id);
+        fmt::print("UVs: {}\n", uv_layout_words(uv_layout_of(document, *material)));
         print_stack(material->stack, "");
     }
 }

@@ -21,6 +21,9 @@ TEST_F(Info, ShowsTheStackOfWhatWasBakedAsATree) {
     const nlohmann::json json =
         nlohmann::json::parse(patina({"info", at("out.glb"), "--json"}).out);
     EXPECT_EQ(json["materials"][0]["name"], "Ball");
+    EXPECT_THAT(text.out, HasSubstr("of the texture is used"));
+    EXPECT_GT(json["materials"][0]["uvs"]["used"], 0.3);
+    EXPECT_EQ(json["materials"][0]["uvs"]["triangles_without_uvs"], 0);
     const nlohmann::json& stack = json["materials"][0]["stack"];
     EXPECT_EQ(stack.back()["name"], "Rusted iron");
     EXPECT_GT(stack.back()["children"].size(), 1u);
