@@ -66,7 +66,9 @@ std::vector<float> blur_weights(float radius, int reach) {
 /// along each row.
 class Preparation {
   public:
-    Preparation(const AroundJob& job, const AroundList& earlier, AroundPlanes& planes, int halo)
+    /// `wanted`: of the stack, where what is kept does not lie within a reference.
+    Preparation(const AroundJob& job, const AroundList& earlier, AroundPlanes& planes, int halo,
+                ChannelBits wanted)
         : job_(job), planes_(planes) {
         const int size = job.size;
         columns_ = grown(job.rect.x0, job.rect.x1, halo, size);
@@ -74,7 +76,7 @@ class Preparation {
         read_columns_ = grown(job.rect.x0, job.rect.x1, halo + planes.reach(), size);
         run_ = {.program = job.program,
                 .images = job.images,
-                .wanted = job.program->with_needed(planes.channels()),
+                .wanted = job.program->with_needed(wanted),
                 .around = &earlier,
                 .stop = planes.record().begin};
         for (const CachePoint& point : job.caches)
@@ -226,10 +228,12 @@ AroundList prepared_around(const AroundJob& job, const Progress& progress) {
         const AdjustmentSettings& adjustment =
             program.adjustments[static_cast<std::size_t>(record.adjustment)];
         halo -= reach_of(adjustment, job.size);
-        const ChannelBits channels = record.channels & wanted;
-        if (channels == 0 || is_skipped(record, job.caches)) continue;
+        const bool referred = record.referring != 0;
+        const ChannelBits of_stack = (referred ? record.referring : record.channels) & wanted;
+        if (of_stack == 0 || is_skipped(record, job.caches)) continue;
+        const ChannelBits channels = referred ? record.channels : of_stack;
         auto planes = std::make_shared<AroundPlanes>(record, adjustment, channels, job.size);
-        Preparation(job, list, *planes, halo).run(progress);
+        Preparation(job, list, *planes, halo, of_stack).run(progress);
         list[i] = std::move(planes);
     }
     return list;

@@ -33,8 +33,15 @@ std::int32_t source_read_by(const ProgramData& program, const Operation& operati
 /// Bits, one for each image, of those that an operation on `wanted` reads.
 std::vector<bool> needed_images(const ProgramData& program, ChannelBits wanted) {
     std::vector<bool> needed(program.images.size(), false);
-    for (const Operation& operation : program.operations) {
-        if ((operation.channels & wanted) == 0) continue;
+    std::size_t referred_until = 0;  // whatever a wanted reference goes through is needed
+    for (std::size_t i = 0; i < program.operations.size(); ++i) {
+        const Operation& operation = program.operations[i];
+        const bool runs = i < referred_until || (operation.channels & wanted) != 0;
+        const bool refers = operation.code == OpCode::Reference;
+        const auto past = static_cast<std::size_t>(refers ? operation.jump : 0);
+        if (runs) referred_until = std::max(referred_until, past);
+        if (!runs && refers) i = past - 1;
+        if (!runs) continue;
         const std::int32_t source = source_read_by(program, operation);
         if (source < 0) continue;
         const int image = program.sources[static_cast<std::size_t>(source)].image;

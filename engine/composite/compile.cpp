@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "composite/bake_rules.h"
 #include "composite/source_record.h"
@@ -27,7 +28,8 @@ struct StackState {
 
 class Emitter {
   public:
-    explicit Emitter(ProgramData& program) : program_(program) {}
+    Emitter(ProgramData& program, ReferredLayers& referred)
+        : program_(program), referred_(referred) {}
 
     /// `backdrop`: the state of the stack around, for a group that passes it through.
     StackState emit_stack(const StackTerms& terms, int depth, const StackState* backdrop = nullptr);
@@ -36,17 +38,31 @@ class Emitter {
     void emit_layer(const LayerTerms& terms, int depth, StackState& state);
     void emit_recoding(const LayerTerms& terms, const Operation& like, StackState& state);
     std::int32_t emit_masks(const LayerTerms& terms, const Operation& like);
-    void note_relief(const LayerTerms& terms, int depth);
-    void note_relief(const Source& source, int depth);
+    void note_relief(const LayerTerms& terms);
+    void note_relief(const Source& source);
     void note_looking_around(const LayerTerms& terms, int depth);
     void emit_height(const LayerTerms& terms, Operation like);
+    std::int32_t emit_reference(const ReferenceSource& source, Reading reading, Operation like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
     void emit_blend(const Contribution& contribution, Channel channel, Operation like,
                     const StackState& state, const StackState& children);
-    std::int32_t add_source(const Source& source, Reading reading);
+    /// `like`: the operation that is going to read the source.
+    std::int32_t add_source(const Source& source, Reading reading, const Operation& like);
     std::int32_t here() const { return static_cast<std::int32_t>(program_.operations.size()); }
 
+    /// Where the heights are that lie below a layer: what is accumulated at a depth before an
+    /// operation.
+    struct HeightsBelow {
+        std::int32_t begin = 0;
+        int depth = 0;
+        ChannelBits referring = 0;
+    };
+
     ProgramData& program_;
+    ReferredLayers& referred_;
+    HeightsBelow below_;         ///< the layer that is being emitted
+    bool alone_ = false;         ///< the next layer is emitted by itself: `below_` stays as it is
+    ChannelBits referring_ = 0;  ///< within a reference: the channels that it is wanted for
     /// Which of ProgramData::around a relief source reads. A layer that is clipped to another goes
     /// by the relief that that one's mask went by.
     std::map<const Source*, std::int32_t> relief_;
@@ -84,7 +100,10 @@ StackState Emitter::emit_stack(const StackTerms& terms, int depth, const StackSt
     const std::int32_t begin = here();
     for (const LayerTerms& layer : terms) {
         emit_layer(layer, depth, state);
-        state.hash = Hasher().add(state.hash).add(layer_hash(layer, kAllChannels)).finish();
+        // What is referred to is read where it is wanted, and not as a stack.
+        if (referring_ != 0) continue;
+        state.hash =
+            Hasher().add(state.hash).add(layer_hash(layer, kAllChannels, referred_)).finish();
         program_.checkpoints.push_back({.begin = begin,
                                         .end = here(),
                                         .depth = static_cast<std::uint8_t>(depth),
@@ -98,10 +117,13 @@ StackState Emitter::emit_stack(const StackTerms& terms, int depth, const StackSt
 
 void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) {
     StackState children;
+    const HeightsBelow outer = below_;
+    if (!std::exchange(alone_, false)) below_ = {here(), depth, referring_};
     Operation like{.depth = static_cast<std::uint8_t>(depth), .channels = terms.channel_bits()};
+    if (referring_ != 0) like.flags |= kReferred;
     like.layer = static_cast<std::int32_t>(program_.layers.size());
     program_.layers.push_back({terms.layer->id, terms.layer->name, depth});
-    if (terms.reads_heights) note_relief(terms, depth);
+    if (terms.reads_heights) note_relief(terms);
     emit_recoding(terms, like, state);
     const std::int32_t mask_end = emit_masks(terms, like);
     if (terms.has_mask()) like.flags |= kUsesMask;
@@ -114,13 +136,18 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     }
     if (terms.height_blend != nullptr) emit_height(terms, like);
     note_looking_around(terms, depth);
-    for (const ChannelInfo& entry : kChannels) {
-        const auto& contribution = at(terms.channels, entry.channel);
-        if (!contribution) continue;
-        emit_blend(*contribution, entry.channel, like, state, children);
-        state.touched |= channel_bit(entry.channel);
-    }
+    const auto lay_on = [&](Channel channel) {
+        const auto& contribution = at(terms.channels, channel);
+        if (!contribution) return;
+        emit_blend(*contribution, channel, like, state, children);
+        state.touched |= channel_bit(channel);
+    };
+    for (const ChannelInfo& entry : kChannels)
+        if (entry.channel != Channel::Height) lay_on(entry.channel);
+    // Last, since others may go by the heights below.
+    lay_on(Channel::Height);
     if (mask_end >= 0) program_.operations[static_cast<std::size_t>(mask_end)].jump = here();
+    below_ = outer;
 }
 
 /// Brings the colours that the layer blends (a group that passes through is faded in in its own
@@ -165,26 +192,27 @@ std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like)
     return end;
 }
 
-void Emitter::note_relief(const Source& source, int depth) {
+void Emitter::note_relief(const Source& source) {
     const auto* const relief = std::get_if<ReliefSource>(&source);
     if (relief == nullptr) return;
     relief_[&source] = static_cast<std::int32_t>(program_.around.size());
-    program_.around.push_back({.begin = here(),
+    program_.around.push_back({.begin = below_.begin,
                                .relief = true,
                                .adjustment = static_cast<std::int32_t>(program_.adjustments.size()),
-                               .depth = static_cast<std::uint8_t>(depth),
-                               .channels = channel_bit(Channel::Height)});
+                               .depth = static_cast<std::uint8_t>(below_.depth),
+                               .channels = channel_bit(Channel::Height),
+                               .referring = below_.referring});
     program_.adjustments.push_back(
         {.kind = AdjustmentKind::Blur, .radius_permille = relief->radius_permille});
 }
 
 /// Notes the sources of a layer that read the relief below it, before any of its operations.
-void Emitter::note_relief(const LayerTerms& terms, int depth) {
-    for (const MaskEntry* entry : terms.mask.entries) note_relief(entry->source, depth);
+void Emitter::note_relief(const LayerTerms& terms) {
+    for (const MaskEntry* entry : terms.mask.entries) note_relief(entry->source);
     for (const MaskEntry* entry : terms.clip.entries)
-        if (!relief_.contains(&entry->source)) note_relief(entry->source, depth);
+        if (!relief_.contains(&entry->source)) note_relief(entry->source);
     for (const auto& contribution : terms.channels)
-        if (contribution && contribution->source) note_relief(*contribution->source, depth);
+        if (contribution && contribution->source) note_relief(*contribution->source);
 }
 
 /// Notes a layer whose operations, which follow, look around.
@@ -194,13 +222,16 @@ void Emitter::note_looking_around(const LayerTerms& terms, int depth) {
     program_.around.push_back({.begin = here(),
                                .adjustment = static_cast<std::int32_t>(program_.adjustments.size()),
                                .depth = static_cast<std::uint8_t>(depth),
-                               .channels = terms.channel_bits()});
+                               .channels = terms.channel_bits(),
+                               .referring = referring_});
 }
 
 /// Before anything of the layer is laid on, its heights included.
 void Emitter::emit_height(const LayerTerms& terms, Operation like) {
-    HeightBlendRecord record{.blend = *terms.height_blend, .of_children = !terms.children.empty()};
-    if (terms.height != nullptr) record.source = add_source(*terms.height, Reading::Height);
+    HeightBlendRecord record{.blend = *terms.height_blend,
+                             .of_children = !terms.children.empty(),
+                             .below = static_cast<std::uint8_t>(below_.depth)};
+    if (terms.height != nullptr) record.source = add_source(*terms.height, Reading::Height, like);
     like.code = OpCode::MaskHeight;
     like.source = static_cast<std::int32_t>(program_.height_blends.size());
     program_.height_blends.push_back(record);
@@ -224,7 +255,7 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
         join.code = OpCode::MaskEntry;
         join.combine = entry->combine;
         join.amount = entry->opacity;
-        join.source = add_source(entry->source, Reading::Scalar);
+        join.source = add_source(entry->source, Reading::Scalar, like);
         if (first && entry == &lowest) join.flags |= kFirst;
         if (entry->invert) join.flags |= kInvert;
         if (!is_identity(entry->levels)) {
@@ -260,7 +291,7 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
         program_.adjustments.push_back(*contribution.adjustment);
     } else if (contribution.source != nullptr) {
         like.code = OpCode::Blend;
-        like.source = add_source(*contribution.source, reading_of(channel, encoded));
+        like.source = add_source(*contribution.source, reading_of(channel, encoded), like);
     } else {
         like.code = OpCode::BlendGroup;
         if ((children.encoded & bit) != 0) like.flags |= kChildEncoded;
@@ -268,8 +299,48 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
     program_.operations.push_back(like);
 }
 
-std::int32_t Emitter::add_source(const Source& source, Reading reading) {
+/// Emits a layer by itself at the next depth, where what reads it finds it.
+std::int32_t Emitter::emit_reference(const ReferenceSource& source, Reading reading,
+                                     Operation like) {
+    const LayerTerms* const terms = referred_.find(source);
+    const Channel channel = channel_of(source.result).value_or(Channel::Opacity);
+    const auto index = static_cast<std::int32_t>(program_.references.size());
+    const int depth = like.depth + 1;
+    program_.references.push_back(
+        {.channel = channel,
+         .of_mask = source.result == LayerResult::Mask,
+         .needed = terms != nullptr ? terms->run_bits() : channel_bit(channel)});
+    program_.depths = std::max(program_.depths, depth + 1);
+    like.code = OpCode::Reference;
+    like.source = index;
+    const auto begin = static_cast<std::size_t>(here());
+    program_.operations.push_back(like);
+    if (terms != nullptr) {
+        const ChannelBits outer = referring_;
+        if (outer == 0) referring_ = like.channels;
+        // What it is clipped to reads the heights that it reads itself.
+        auto relief = std::exchange(relief_, {});
+        StackState state;
+        alone_ = true;
+        emit_layer(*terms, depth, state);
+        const bool encoded = (state.encoded & channel_bit(channel)) != 0;
+        if (is_color(channel) && encoded != (reading == Reading::EncodedColor))
+            program_.operations.push_back({.code = encoded ? OpCode::ToLinear : OpCode::ToEncoded,
+                                           .depth = static_cast<std::uint8_t>(depth),
+                                           .flags = kReferred,
+                                           .channels = channel_bit(channel),
+                                           .channel = channel});
+        relief_ = std::move(relief);
+        referring_ = outer;
+    }
+    program_.operations[begin].jump = here();
+    return index;
+}
+
+std::int32_t Emitter::add_source(const Source& source, Reading reading, const Operation& like) {
     SourceRecord record = source_record(source, reading);
+    if (const auto* const reference = std::get_if<ReferenceSource>(&source))
+        record.reference = emit_reference(*reference, reading, like);
     if (const auto* const image = std::get_if<ImageSource>(&source)) {
         const auto found = std::find(program_.images.begin(), program_.images.end(), image->image);
         record.image = static_cast<std::int32_t>(found - program_.images.begin());
@@ -303,13 +374,14 @@ void set_bottom(const StackTerms& terms, ProgramData& program) {
     }
 }
 
-Hash128 channel_hash(const StackTerms& terms, Channel channel) {
+Hash128 channel_hash(const StackTerms& terms, Channel channel, ReferredLayers& referred) {
     Hasher hasher;
     hasher.add(channel);
     for (const LayerTerms* layer : layers_of_channel(terms, channel))
-        hasher.add(layer_hash(*layer, channel_bit(channel)));
+        hasher.add(layer_hash(*layer, channel_bit(channel), referred));
     const bool led = (led_by_height(terms) & channel_bit(channel)) != 0;
-    if (led && channel != Channel::Height) hasher.add(channel_hash(terms, Channel::Height));
+    if (led && channel != Channel::Height)
+        hasher.add(channel_hash(terms, Channel::Height, referred));
     return hasher.finish();
 }
 
@@ -338,16 +410,17 @@ Hash128 slot_hash(const ProgramData& program, const StackTerms& terms, Slot slot
 }  // namespace
 
 ProgramData compile_material(const Material& material, CoveredLayers covered) {
-    const StackTerms terms = stack_terms(material.stack, covered);
+    ReferredLayers referred(material.stack);
+    const StackTerms terms = stack_terms(material.stack, covered, referred);
     ProgramData program;
     set_bottom(terms, program);
     program.height_scale = material.height_scale;
-    const StackState top = Emitter(program).emit_stack(terms, 0);
+    const StackState top = Emitter(program, referred).emit_stack(terms, 0);
     program.top_encoded = top.touched & top.encoded & kColorChannels;
     program.touched = top.touched;
     program.led_by_height = led_by_height(terms);
     for (const ChannelInfo& entry : kChannels)
-        at(program.channel_hashes, entry.channel) = channel_hash(terms, entry.channel);
+        at(program.channel_hashes, entry.channel) = channel_hash(terms, entry.channel, referred);
     for (int slot = 0; slot < kSlotCount; ++slot)
         program.slot_hashes[static_cast<std::size_t>(slot)] =
             slot_hash(program, terms, static_cast<Slot>(slot));

@@ -61,6 +61,11 @@ enum class OpCode : std::uint8_t {
     GroupCopy,
     /// Lays what the next depth accumulated on the accumulator of `channel`.
     BlendGroup,
+    /// Runs the operations up to `jump`, of a layer that is referred to, at the next depth, with
+    /// the
+    /// channels of its ReferenceRecord wanted; an operation that follows reads what they leave
+    /// there.
+    Reference,
 };
 
 /// Bits of Operation::flags.
@@ -78,6 +83,8 @@ inline constexpr OperationFlags kLevels = 8;
 inline constexpr OperationFlags kEncoded = 16;
 /// BlendGroup: the colour that the group accumulated is sRGB-encoded.
 inline constexpr OperationFlags kChildEncoded = 32;
+/// Of a layer that is referred to: no step of the stack that `explain` shows.
+inline constexpr OperationFlags kReferred = 64;
 
 struct Operation {
     OpCode code = OpCode::Blend;
@@ -88,7 +95,8 @@ struct Operation {
     BlendMode mode = BlendMode::Normal;
     MaskCombine combine = MaskCombine::Multiply;
     float amount = 1.0f;  ///< weight of a blend, opacity of an entry, value of MaskBegin
-    /// Index into ProgramData::sources; Adjust: into adjustments; MaskHeight: into height_blends.
+    /// Index into ProgramData::sources; Adjust: into adjustments; MaskHeight: into height_blends;
+    /// Reference: into references.
     std::int32_t source = 0;
     std::int32_t jump = 0;   ///< index of an operation; Adjust: into around, or -1
     std::int32_t layer = 0;  ///< index into ProgramData::layers
@@ -107,9 +115,10 @@ constexpr bool is_vector(Reading reading) {
 struct SourceRecord {
     Source source = {};
     Reading reading = Reading::Scalar;
-    std::int32_t image = -1;   ///< index into ProgramData::images, for an ImageSource
-    std::int32_t around = -1;  ///< index into ProgramData::around, for a ReliefSource
-    std::int32_t levels = -1;  ///< index into ProgramData::levels, for a mask entry
+    std::int32_t image = -1;      ///< index into ProgramData::images, for an ImageSource
+    std::int32_t around = -1;     ///< index into ProgramData::around, for a ReliefSource
+    std::int32_t reference = -1;  ///< index into ProgramData::references, for a ReferenceSource
+    std::int32_t levels = -1;     ///< index into ProgramData::levels, for a mask entry
     std::array<UniformPlane, 3> constant = {};  ///< of a ConstantSource, as `reading` says
     /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.
     glm::vec3 to_u = glm::vec3(1.0f, 0.0f, 0.0f);
@@ -123,6 +132,14 @@ struct HeightBlendRecord {
     /// unused.
     std::int32_t source = -1;
     bool of_children = false;  ///< the layer's height is what the next depth accumulated
+    std::uint8_t below = 0;    ///< the depth at which the heights lie that it is compared with
+};
+
+/// What a reference reads.
+struct ReferenceRecord {
+    Channel channel = Channel::Opacity;
+    bool of_mask = false;    ///< what is covered of the channel is the value
+    ChannelBits needed = 0;  ///< what the operations of the layer want
 };
 
 /// What lies below a layer whose adjustment looks around, or whose mask or source reads the relief
@@ -134,6 +151,8 @@ struct AroundRecord {
     std::int32_t adjustment = 0;  ///< index into ProgramData::adjustments
     std::uint8_t depth = 0;
     ChannelBits channels = 0;
+    /// Within a reference: wanted when any of these is, of the layer that refers. Else 0.
+    ChannelBits referring = 0;
 };
 
 /// Whose operations they are, for `explain` and for messages.
@@ -160,6 +179,7 @@ struct ProgramData {
     std::vector<Levels> levels;
     std::vector<AdjustmentSettings> adjustments;
     std::vector<HeightBlendRecord> height_blends;
+    std::vector<ReferenceRecord> references;
     std::vector<AroundRecord> around;  ///< in the order in which they are reached
     std::vector<Hash128> images;
     std::vector<LayerRecord> layers;

@@ -2,8 +2,10 @@
 #include "composite/run_tile.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "composite/adjust_kernels.h"
+#include "composite/fetch_kernels.h"
 #include "composite/mask_kernels.h"
 
 namespace patina {
@@ -12,12 +14,20 @@ namespace {
 class Runner {
   public:
     Runner(const TileRun& run, const TileSpan& span, TilePlanes& planes)
-        : run_(run), program_(*run.program), span_(span), planes_(planes) {}
+        : run_(run),
+          program_(*run.program),
+          span_(span),
+          planes_(planes),
+          end_(std::min(program_.operations.size(), static_cast<std::size_t>(run.stop))),
+          wanted_(run.wanted) {}
 
     void run();
 
   private:
     void fill_bottom();
+    void run_until(std::size_t next, std::size_t end);
+    std::size_t skipped(const Operation& operation, std::size_t next) const;
+    std::size_t refer(const Operation& operation, std::size_t next);
     std::size_t resumed(std::size_t next);
     void store_caches(std::size_t next);
     bool may_jump(const Operation& operation, std::size_t next) const;
@@ -26,7 +36,7 @@ class Runner {
     void join_mask(const Operation& operation);
     void share_by_height(const Operation& operation);
     ReadPlane height_coverage(int depth);
-    void clear_group(const Operation& operation);
+    void clear(int depth, ChannelBits channels);
     void copy_group(const Operation& operation);
     FetchedSource adjusted(const Operation& operation);
     void look_around(const Operation& operation, const AdjustTask& task);
@@ -37,10 +47,13 @@ class Runner {
     const SourceRecord& source_of(const Operation& operation) const {
         return program_.sources[static_cast<std::size_t>(operation.source)];
     }
-    FetchedSource fetch(std::int32_t source, float* first_plane) {
+    /// `depth`: of the operation that reads the source.
+    FetchedSource fetch(std::int32_t source, int depth, float* first_plane) {
         const auto index = static_cast<std::size_t>(source);
         if (program_.sources[index].around >= 0) return fetch_relief(index, first_plane);
         float* const target[3] = {first_plane, planes_.source(1), planes_.source(2)};
+        if (program_.sources[index].reference >= 0)
+            return fetch_reference(program_.sources[index], depth + 1, target);
         return fetch_source(program_.sources[index], run_.images->sources[index], span_, target,
                             planes_);
     }
@@ -51,22 +64,49 @@ class Runner {
         return {{{.data = to}, {}, {}}, uniform_one()};
     }
 
+    FetchedSource fetch_reference(const SourceRecord& record, int depth, float* const target[3]);
+
     const TileRun& run_;
     const ProgramData& program_;
     const TileSpan& span_;
     TilePlanes& planes_;
+    const std::size_t end_;  ///< of the whole run
+    ChannelBits wanted_;     ///< here: within a reference what that one needs
 };
 
 void Runner::run() {
     fill_bottom();
-    const std::size_t end =
-        std::min(program_.operations.size(), static_cast<std::size_t>(run_.stop));
-    for (std::size_t next = resumed(0); next < end;) {
+    run_until(0, end_);
+}
+
+void Runner::run_until(std::size_t next, std::size_t end) {
+    for (next = resumed(next); next < end;) {
         const Operation& operation = program_.operations[next];
-        next = (operation.channels & run_.wanted) == 0 ? next + 1 : step(operation, next);
+        const std::size_t past = skipped(operation, next);
+        next = past > next ? past : step(operation, next);
         store_caches(next);
         next = resumed(next);
     }
+}
+
+/// Where to go on from an operation that is not wanted; `next` from one that is. A reference in
+/// which the run is to stop is wanted.
+std::size_t Runner::skipped(const Operation& operation, std::size_t next) const {
+    if ((operation.channels & wanted_) != 0) return next;
+    if (operation.code != OpCode::Reference) return next + 1;
+    const auto past = static_cast<std::size_t>(operation.jump);
+    return end_ < past ? next : past;
+}
+
+/// Runs the operations of a layer that is referred to.
+std::size_t Runner::refer(const Operation& operation, std::size_t next) {
+    const ReferenceRecord& record = program_.references[static_cast<std::size_t>(operation.source)];
+    const ChannelBits outer = std::exchange(wanted_, record.needed);
+    clear(operation.depth + 1, record.needed);
+    const auto past = static_cast<std::size_t>(operation.jump);
+    run_until(next + 1, std::min(past, end_));
+    wanted_ = outer;
+    return past;
 }
 
 void Runner::fill_bottom() {
@@ -82,7 +122,7 @@ void Runner::fill_bottom() {
 std::size_t Runner::resumed(std::size_t next) {
     for (const CachePoint& point : run_.caches) {
         if (!point.read || point.place.begin != static_cast<std::int32_t>(next)) continue;
-        point.cache->load(span_, run_.wanted, planes_);
+        point.cache->load(span_, wanted_, planes_);
         return static_cast<std::size_t>(point.place.end);
     }
     return next;
@@ -120,11 +160,13 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             break;
         }
         case OpCode::MaskKeep:
-            copy_tile(planes_.mask(operation.depth), planes_.kept_mask(), span_.count);
+            copy_tile(planes_.mask(operation.depth), planes_.kept_mask(operation.depth),
+                      span_.count);
             break;
         case OpCode::MaskClip: {
             float* const mask = planes_.mask(operation.depth);
-            multiply_tile({.data = mask}, {.data = planes_.kept_mask()}, mask, span_.count);
+            multiply_tile({.data = mask}, {.data = planes_.kept_mask(operation.depth)}, mask,
+                          span_.count);
             break;
         }
         case OpCode::MaskHeight:
@@ -135,13 +177,13 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             recode(operation);
             break;
         case OpCode::Blend:
-            blend(operation, fetch(operation.source, planes_.source(0)));
+            blend(operation, fetch(operation.source, operation.depth, planes_.source(0)));
             break;
         case OpCode::Adjust:
             blend(operation, adjusted(operation));
             break;
         case OpCode::GroupBegin:
-            clear_group(operation);
+            clear(operation.depth + 1, operation.channels & wanted_);
             break;
         case OpCode::GroupCopy:
             copy_group(operation);
@@ -149,6 +191,8 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
         case OpCode::BlendGroup:
             blend(operation, child_source(operation));
             break;
+        case OpCode::Reference:
+            return refer(operation, next);
     }
     return next + 1;
 }
@@ -171,7 +215,13 @@ void Runner::join_mask(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
     const Levels* const levels = levels_of(operation);
     float* const mask = planes_.mask(operation.depth);
-    const ReadPlane entry = fetch(operation.source, first ? mask : planes_.source(0)).components[0];
+    const FetchedSource source =
+        fetch(operation.source, operation.depth, first ? mask : planes_.source(0));
+    ReadPlane entry = source.components[0];
+    if (source_of(operation).reference >= 0 && source.coverage.step != 0) {
+        multiply_tile(entry, source.coverage, planes_.source(1), span_.count);
+        entry = {.data = planes_.source(1)};
+    }
     if (entry.data == mask && levels == nullptr && (operation.flags & kInvert) == 0) return;
     join_mask_tile({.mask = mask,
                     .source = entry,
@@ -194,8 +244,8 @@ void Runner::share_by_height(const Operation& operation) {
         program_.height_blends[static_cast<std::size_t>(operation.source)];
     const int depth = operation.depth;
     HeightShareTask task{.mask = planes_.mask(depth),
-                         .below = {.data = planes_.channel(depth, Channel::Height)},
-                         .below_coverage = height_coverage(depth),
+                         .below = {.data = planes_.channel(record.below, Channel::Height)},
+                         .below_coverage = height_coverage(record.below),
                          .own = surface.plane(),
                          .own_coverage = uniform_one(),
                          .blend = record.blend,
@@ -204,17 +254,16 @@ void Runner::share_by_height(const Operation& operation) {
         task.own = {.data = planes_.channel(depth + 1, Channel::Height)};
         task.own_coverage = height_coverage(depth + 1);
     } else if (record.source >= 0) {
-        const FetchedSource source = fetch(record.source, planes_.source(0));
+        const FetchedSource source = fetch(record.source, depth, planes_.source(0));
         task.own = source.components[0];
         task.own_coverage = source.coverage;
     }
     share_by_height_tile(task);
 }
 
-void Runner::clear_group(const Operation& operation) {
-    const int depth = operation.depth + 1;
+void Runner::clear(int depth, ChannelBits channels) {
     for (const ChannelInfo& entry : kChannels) {
-        if ((operation.channels & run_.wanted & channel_bit(entry.channel)) == 0) continue;
+        if ((channels & channel_bit(entry.channel)) == 0) continue;
         const glm::vec3 bottom = stack_bottom(entry.channel);
         for (int k = 0; k < component_count(entry.channel); ++k)
             fill_tile(planes_.channel(depth, entry.channel, k), bottom[k], span_.count);
@@ -227,7 +276,7 @@ void Runner::copy_group(const Operation& operation) {
     const int depth = operation.depth;
     for (const ChannelInfo& entry : kChannels) {
         const Channel channel = entry.channel;
-        if ((operation.channels & run_.wanted & channel_bit(channel)) == 0) continue;
+        if ((operation.channels & wanted_ & channel_bit(channel)) == 0) continue;
         for (int k = 0; k < component_count(channel); ++k)
             copy_tile(planes_.channel(depth, channel, k), planes_.channel(depth + 1, channel, k),
                       span_.count);
@@ -237,6 +286,33 @@ void Runner::copy_group(const Operation& operation) {
         else
             copy_tile(planes_.coverage(depth, channel), coverage, span_.count);
     }
+}
+
+/// What a layer that is referred to left at `depth`, as the source is read.
+FetchedSource Runner::fetch_reference(const SourceRecord& record, int depth,
+                                      float* const target[3]) {
+    const ReferenceRecord& reference =
+        program_.references[static_cast<std::size_t>(record.reference)];
+    const Channel channel = reference.channel;
+    const ReadPlane covered{.data = planes_.coverage(depth, channel)};
+    FetchedSource source{.coverage = reference.of_mask ? uniform_one() : covered};
+    if (!reference.of_mask && component_count(channel) == 3) {
+        for (int k = 0; k < 3; ++k) source.components[k] = {planes_.channel(depth, channel, k)};
+        if (is_vector(record.reading)) return source;
+        for (int k = 0; k < 3; ++k) copy_tile(source.components[k].data, target[k], span_.count);
+        adjust_tile({.luminance = true}, 3, target, span_.count);
+        return {{{.data = target[0]}, {}, {}}, source.coverage};
+    }
+    ReadPlane value = reference.of_mask ? covered : ReadPlane{planes_.channel(depth, channel)};
+    const bool hold = channel == Channel::Height && record.reading != Reading::Height;
+    const bool encode = record.reading == Reading::EncodedColor;
+    if (hold || encode) {
+        copy_tile(value.data, target[0], span_.count);
+        adjust_tile({.hold = hold, .encode = encode}, 1, target, span_.count);
+        value = {.data = target[0]};
+    }
+    for (ReadPlane& component : source.components) component = value;
+    return source;
 }
 
 /// What the adjustment makes of the accumulator.
@@ -329,7 +405,7 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
     if (operation.depth > 0 && operation.code != OpCode::Adjust)
         task.target_coverage = planes_.coverage(operation.depth, operation.channel);
     blend_tile(task);
-    if (run_.observer) {
+    if (run_.observer && (operation.flags & kReferred) == 0) {
         const bool masked = (operation.flags & kUsesMask) != 0;
         run_.observer(operation, source, task.weight.data[0] * task.amount,
                       masked ? planes_.mask(operation.depth)[0] : 1.0f, planes_);

@@ -10,6 +10,7 @@ namespace {
 
 /// Whether the source has a value of full weight in every texel.
 bool is_opaque(const Source& source) {
+    if (std::holds_alternative<ReferenceSource>(source)) return false;
     const auto* const image = std::get_if<ImageSource>(&source);
     return image == nullptr || !image->alpha_is_coverage;
 }
@@ -130,7 +131,12 @@ void drop_covered(StackTerms& terms, Channel channel) {
     }
 }
 
-StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers covered, Below below);
+/// How a stack is reduced: what does not change on the way down into groups.
+struct Reduction {
+    CoveredLayers covered;
+    ReferredLayers& referred;
+};
+StackTerms reduced_stack(const std::vector<LayerPtr>& stack, const Reduction& how, Below below);
 
 /// What the layer covers, as far as it is the same in every texel; the rest goes into `mask`.
 float uniform_weight(const Layer& layer, MaskTerm& mask) {
@@ -148,25 +154,32 @@ bool is_transparent(const LayerTerms& terms, float weight) {
            });
 }
 
-bool is_relief(const Source& source) {
+/// Whether the source is made of the heights below the layer, be it by what it refers to.
+bool reads_heights(const Source& source, ReferredLayers& referred) {
+    if (const auto* const reference = std::get_if<ReferenceSource>(&source)) {
+        const LayerTerms* const terms = referred.find(*reference);
+        return terms != nullptr && terms->reads_heights;
+    }
     return std::holds_alternative<ReliefSource>(source);
 }
 
-/// Whether the mask or a source of the layer is made of the relief below it.
-bool reads_relief(const LayerTerms& terms) {
-    const auto in_mask = [](const MaskTerm& mask) {
-        return std::any_of(mask.entries.begin(), mask.entries.end(),
-                           [](const MaskEntry* entry) { return is_relief(entry->source); });
+/// Whether the mask or a source of the layer is made of the heights below it.
+bool reads_heights(const LayerTerms& terms, ReferredLayers& referred) {
+    const auto in_mask = [&](const MaskTerm& mask) {
+        return std::any_of(mask.entries.begin(), mask.entries.end(), [&](const MaskEntry* entry) {
+            return reads_heights(entry->source, referred);
+        });
     };
-    const auto in_channel = [](const std::optional<Contribution>& contribution) {
-        return contribution && contribution->source && is_relief(*contribution->source);
+    const auto in_channel = [&](const std::optional<Contribution>& contribution) {
+        return contribution && contribution->source &&
+               reads_heights(*contribution->source, referred);
     };
     return in_mask(terms.mask) || in_mask(terms.clip) ||
            std::any_of(terms.channels.begin(), terms.channels.end(), in_channel);
 }
 
 /// Adds the terms of a layer, if it can change anything. `base`: what it is clipped to, or null.
-void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, Below below,
+void add_reduced(const Layer& layer, const Layer* base, const Reduction& how, Below below,
                  StackTerms& stack) {
     LayerTerms terms{.layer = &layer};
     float weight = uniform_weight(layer, terms.mask);
@@ -177,7 +190,7 @@ void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, B
         const bool whole = is_transparent(terms, weight);
         const bool on_backdrop = below != Below::Nothing || !stack.empty();
         const Below inside = terms.pass_through && on_backdrop ? Below::Backdrop : Below::Nothing;
-        terms.children = reduced_stack(group->children, covered, inside);
+        terms.children = reduced_stack(group->children, how, inside);
         if (whole) {
             for (LayerTerms& child : terms.children) stack.push_back(std::move(child));
             return;
@@ -190,17 +203,12 @@ void add_reduced(const Layer& layer, const Layer* base, CoveredLayers covered, B
         const bool own = height.enabled && std::holds_alternative<FillContent>(layer.content);
         if (own) terms.height = &height.source;
     }
-    terms.reads_heights = terms.height_blend != nullptr || reads_relief(terms);
+    terms.reads_heights = terms.height_blend != nullptr || reads_heights(terms, how.referred);
     stack.push_back(std::move(terms));
 }
 
-StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers covered, Below below) {
-    StackTerms terms;
-    const Layer* base = nullptr;
-    for (const LayerPtr& layer : stack) {
-        add_reduced(*layer, layer->clipped ? base : nullptr, covered, below, terms);
-        if (!layer->clipped) base = layer.get();
-    }
+/// What the terms of the layers of one stack say of each other.
+StackTerms simplified(StackTerms terms, Below below, CoveredLayers covered) {
     for (const ChannelInfo& entry : kChannels) {
         simplify_lowest(terms, entry.channel, below);
         find_covering(terms, entry.channel);
@@ -209,6 +217,53 @@ StackTerms reduced_stack(const std::vector<LayerPtr>& stack, CoveredLayers cover
     std::erase_if(terms, [](const LayerTerms& layer) { return layer.channel_bits() == 0; });
     for (LayerTerms& layer : terms) keep_channels(layer.children, layer.run_bits());
     return terms;
+}
+
+StackTerms reduced_stack(const std::vector<LayerPtr>& stack, const Reduction& how, Below below) {
+    StackTerms terms;
+    const Layer* base = nullptr;
+    for (const LayerPtr& layer : stack) {
+        add_reduced(*layer, layer->clipped ? base : nullptr, how, below, terms);
+        if (!layer->clipped) base = layer.get();
+    }
+    return simplified(std::move(terms), below, how.covered);
+}
+
+/// A layer and what it is clipped to, or nulls.
+struct Place {
+    const Layer* layer = nullptr;
+    const Layer* base = nullptr;
+};
+
+Place place_of(const std::vector<LayerPtr>& stack, LayerId id) {
+    const Layer* base = nullptr;
+    for (const LayerPtr& layer : stack) {
+        if (layer->id == id) return {layer.get(), layer->clipped ? base : nullptr};
+        if (!layer->clipped) base = layer.get();
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            if (const Place place = place_of(group->children, id); place.layer != nullptr)
+                return place;
+    }
+    return {};
+}
+
+/// The layer with nothing but what is read of it, by itself: shown, and passing nothing through. A
+/// mask is what a fill with that mask covers.
+LayerPtr as_read(const Layer& layer, LayerResult result) {
+    Layer copy = layer;
+    copy.visible = true;
+    if (copy.is_pass_through()) copy.mode = BlendMode::Normal;
+    if (result == LayerResult::Mask) {
+        copy.height_blend.enabled = layer.height_blend.enabled && !layer.is_group();
+        copy.content = FillContent{};
+        copy.channels = default_channels();
+        at(copy.channels, Channel::Opacity).enabled = true;
+    } else {
+        for (const ChannelInfo& entry : kChannels)
+            if (result_of(entry.channel) != result)
+                at(copy.channels, entry.channel).enabled = false;
+    }
+    return std::make_shared<const Layer>(std::move(copy));
 }
 
 void add_source(Hasher& hasher, const ConstantSource& source) {
@@ -273,12 +328,26 @@ void add_adjustment(Hasher& hasher, const AdjustmentSettings& adjustment) {
     hasher.add(adjustment.octaves).add(adjustment.seed);
 }
 
-void add_mask(Hasher& hasher, const MaskTerm& mask) {
+Hash128 source_hash(const Source& source, ReferredLayers& referred) {
+    Hasher hasher;
+    hasher.add(source.index());
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, ReferenceSource>)
+                add_source(hasher, kind);
+            else if (const LayerTerms* const terms = referred.find(kind))
+                hasher.add(kind.result).add(layer_hash(*terms, kAllChannels, referred));
+        },
+        source);
+    return hasher.finish();
+}
+
+void add_mask(Hasher& hasher, const MaskTerm& mask, ReferredLayers& referred) {
     hasher.add(mask.entries.size());
     if (!mask.varies()) return;
     hasher.add(mask.begin).add(mask.invert);
     for (const MaskEntry* entry : mask.entries) {
-        hasher.add(source_hash(entry->source)).add(entry->combine).add(entry->opacity);
+        hasher.add(source_hash(entry->source, referred)).add(entry->combine).add(entry->opacity);
         hasher.add(entry->invert);
         add_levels(hasher, entry->levels);
     }
@@ -305,8 +374,29 @@ ChannelBits led_by_height(const StackTerms& terms) {
     return bits;
 }
 
-StackTerms stack_terms(const std::vector<LayerPtr>& stack, CoveredLayers covered) {
-    return reduced_stack(stack, covered, Below::Bottom);
+StackTerms stack_terms(const std::vector<LayerPtr>& stack, CoveredLayers covered,
+                       ReferredLayers& referred) {
+    return reduced_stack(stack, {covered, referred}, Below::Bottom);
+}
+
+const LayerTerms* ReferredLayers::find(const ReferenceSource& reference) {
+    const auto [place, is_new] = found_.try_emplace({reference.layer, reference.result});
+    Found& found = place->second;
+    if (is_new) {
+        const Place of = place_of(stack_, reference.layer);
+        if (of.layer == nullptr) return nullptr;
+        found.plain = as_read(*of.layer, reference.result);
+        StackTerms terms;
+        add_reduced(*found.plain, of.base, {CoveredLayers::Drop, *this}, Below::Nothing, terms);
+        terms = simplified(std::move(terms), Below::Nothing, CoveredLayers::Drop);
+        if (terms.empty()) return nullptr;
+        // Its height decides, be it read or not.
+        const ChannelSettings& height = at(of.layer->channels, Channel::Height);
+        if (terms.front().height_blend != nullptr && height.enabled && !of.layer->is_group())
+            terms.front().height = &height.source;
+        found.terms = std::move(terms.front());
+    }
+    return found.terms ? &*found.terms : nullptr;
 }
 
 std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channel channel) {
@@ -328,34 +418,28 @@ bool is_uniform(const StackTerms& terms, Channel channel) {
     return std::all_of(layers.begin(), layers.end(), uniform);
 }
 
-Hash128 source_hash(const Source& source) {
+Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels, ReferredLayers& referred) {
     Hasher hasher;
-    hasher.add(source.index());
-    std::visit([&](const auto& kind) { add_source(hasher, kind); }, source);
-    return hasher.finish();
-}
-
-Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels) {
-    Hasher hasher;
-    add_mask(hasher, terms.mask);
-    add_mask(hasher, terms.clip);
+    add_mask(hasher, terms.mask, referred);
+    add_mask(hasher, terms.clip, referred);
     hasher.add(terms.pass_through).add(terms.height_blend != nullptr);
     if (terms.height_blend != nullptr) {
         const HeightBlend& blend = *terms.height_blend;
         hasher.add(blend.offset).add(blend.radius).add(blend.contrast);
-        hasher.add(terms.height != nullptr ? source_hash(*terms.height) : Hash128{});
+        hasher.add(terms.height != nullptr ? source_hash(*terms.height, referred) : Hash128{});
     }
     for (const ChannelInfo& entry : kChannels) {
         const auto& contribution = at(terms.channels, entry.channel);
         if (!contribution || (channels & channel_bit(entry.channel)) == 0) continue;
         hasher.add(entry.channel).add(contribution->mode).add(contribution->weight);
         if (is_color(entry.channel)) hasher.add(terms.layer->blend_space);
-        if (contribution->source != nullptr) hasher.add(source_hash(*contribution->source));
+        if (contribution->source != nullptr)
+            hasher.add(source_hash(*contribution->source, referred));
         if (contribution->adjustment != nullptr) add_adjustment(hasher, *contribution->adjustment);
     }
     const ChannelBits inside = terms.with_heights(channels);
     for (const LayerTerms& child : terms.children)
-        if ((child.channel_bits() & inside) != 0) hasher.add(layer_hash(child, inside));
+        if ((child.channel_bits() & inside) != 0) hasher.add(layer_hash(child, inside, referred));
     return hasher.finish();
 }
 

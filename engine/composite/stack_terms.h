@@ -4,6 +4,7 @@
 /// A stack reduced to what can change the picture: the step before operations are emitted, from
 /// which the bake rules read what a channel consists of.
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -53,10 +54,31 @@ using StackTerms = std::vector<LayerTerms>;
 
 enum class CoveredLayers { Drop, Keep };
 
+/// What references read: each layer that is referred to, reduced as if it lay alone. One to a layer
+/// that is not there, or has nothing of that kind, reads nothing.
+class ReferredLayers {
+  public:
+    explicit ReferredLayers(const std::vector<LayerPtr>& stack) : stack_(stack) {}
+    ReferredLayers(const ReferredLayers&) = delete;
+    ReferredLayers& operator=(const ReferredLayers&) = delete;
+
+    /// Null where nothing is read. A mask is what the layer then covers of Channel::Opacity.
+    const LayerTerms* find(const ReferenceSource& reference);
+
+  private:
+    struct Found {
+        std::shared_ptr<const Layer> plain;  ///< what stands for the layer where a mask is read
+        std::optional<LayerTerms> terms;     ///< unset while it is being found
+    };
+    const std::vector<LayerPtr>& stack_;
+    std::map<std::pair<LayerId, LayerResult>, Found> found_;
+};
+
 /// The layers of a stack, bottom to top, that can change the result. Hidden ones, those of no
 /// weight and (unless kept, for `explain`) those that another one covers are left out. Points into
 /// the layers of `stack`.
-StackTerms stack_terms(const std::vector<LayerPtr>& stack, CoveredLayers covered);
+StackTerms stack_terms(const std::vector<LayerPtr>& stack, CoveredLayers covered,
+                       ReferredLayers& referred);
 
 /// The contributions to one channel at the top level, bottom to top.
 std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channel channel);
@@ -67,8 +89,7 @@ bool is_uniform(const StackTerms& terms, Channel channel);
 /// The channels of layers, at any depth, about which heights decide.
 ChannelBits led_by_height(const StackTerms& terms);
 
-Hash128 source_hash(const Source& source);
-/// Hash of what a layer does to `channels`, its children and mask included.
-Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels);
+/// Hash of what a layer does to `channels`, its children, its mask and what it refers to included.
+Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels, ReferredLayers& referred);
 
 }  // namespace patina

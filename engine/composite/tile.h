@@ -38,17 +38,17 @@ class TilePlanes {
         return plane(depth * kPlanesPerDepth + kComponents + static_cast<int>(channel));
     }
     float* mask(int depth) { return plane(depth * kPlanesPerDepth + kPlanesPerDepth - 1); }
+    /// The mask that MaskKeep keeps.
+    float* kept_mask(int depth) { return plane(depth * kPlanesPerDepth + kPlanesPerDepth - 2); }
     /// Of the source that an operation reads: up to three components, its coverage, its weight.
     float* source(int component) { return plane(scratch() + component); }
     float* source_coverage() { return plane(scratch() + 3); }
     float* weight() { return plane(scratch() + 4); }
-    /// The mask that MaskKeep keeps.
-    float* kept_mask() { return plane(scratch() + 5); }
 
   private:
     static constexpr int kComponents = 14;  ///< of the eight channels
-    static constexpr int kPlanesPerDepth = kComponents + kChannelCount + 1;
-    static constexpr int kScratchPlanes = 6;
+    static constexpr int kPlanesPerDepth = kComponents + kChannelCount + 2;
+    static constexpr int kScratchPlanes = 5;
 
     static constexpr int first_plane(Channel channel) {
         int first = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/change.h"
 
+#include "document/references.h"
+
 namespace patina {
 
 Result<Document> with_material(const Document& before, MaterialId id,
@@ -10,6 +12,8 @@ Result<Document> with_material(const Document& before, MaterialId id,
         if (old.id != id) continue;
         Material copy = old;
         if (Status status = change(copy); !status) return passed_on(status);
+        if (copy.stack != old.stack)
+            if (Status status = check_references(copy.stack); !status) return passed_on(status);
         Document after = before;
         if (copy != old) after.materials[i] = std::make_shared<const Material>(std::move(copy));
         return after;

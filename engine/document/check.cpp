@@ -50,6 +50,12 @@ Status check_part(SourceUse use, const ReliefSource& source) {
                           check_range(Parameter::ReliefStrength, source.strength)});
 }
 
+Status check_part(SourceUse use, const ReferenceSource& source) {
+    if (source.layer == LayerId{}) return failure("a reference has to say to which layer");
+    if (reads_result(use, source.result)) return {};
+    return failure("normals are read from normals only, and by normals only");
+}
+
 Status check_entry(const MaskEntry& entry) {
     return first_failure({check_name(entry.name),
                           check_range(Parameter::MaskEntryOpacity, entry.opacity),
@@ -87,6 +93,12 @@ Status check_own_values(const Layer& layer) {
 }
 
 }  // namespace
+
+bool reads_result(SourceUse use, LayerResult result) {
+    const bool of_normals = result == LayerResult::Normal;
+    const bool for_normals = use && info(*use).kind == ChannelKind::Normal;
+    return of_normals == for_normals;
+}
 
 bool feeds_number(SourceUse use) {
     return info(value_parameter(use)).kind == ParameterKind::Number;

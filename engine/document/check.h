@@ -21,6 +21,10 @@ using SourceUse = std::optional<Channel>;
 bool feeds_number(SourceUse use);
 bool feeds_color(SourceUse use);
 
+/// Whether a source for that use may read that of a layer: normals are read by normals, and all
+/// else by all else.
+bool reads_result(SourceUse use, LayerResult result);
+
 /// 1 to kMaxNameBytes bytes of UTF-8 without control characters.
 Status check_name(std::string_view name);
 

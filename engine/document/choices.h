@@ -67,6 +67,12 @@ inline constexpr std::array kProceduralKinds = {
 inline constexpr std::array kReliefKinds = {
     Choice{"relief-height", "Height below"}, Choice{"relief-cavity", "Cavities below"},
     Choice{"relief-edge", "Edges below"}, Choice{"relief-curvature", "Curvature below"}};
+inline constexpr std::array kLayerResults = {
+    Choice{"mask", "Mask"},           Choice{"base-color", "Base colour"},
+    Choice{"metalness", "Metalness"}, Choice{"roughness", "Roughness"},
+    Choice{"normal", "Normal"},       Choice{"height", "Height"},
+    Choice{"occlusion", "Occlusion"}, Choice{"emissive", "Emissive"},
+    Choice{"opacity", "Opacity"}};
 inline constexpr std::array kAdjustmentKinds = {
     Choice{"levels", "Levels"},
     Choice{"curves", "Curves"},
@@ -97,6 +103,7 @@ constexpr std::span<const Choice> choices() {
     if constexpr (std::is_same_v<Enumeration, ChannelPick>) return kChannelPicks;
     if constexpr (std::is_same_v<Enumeration, ProceduralKind>) return kProceduralKinds;
     if constexpr (std::is_same_v<Enumeration, ReliefKind>) return kReliefKinds;
+    if constexpr (std::is_same_v<Enumeration, LayerResult>) return kLayerResults;
     if constexpr (std::is_same_v<Enumeration, AdjustmentKind>) return kAdjustmentKinds;
     if constexpr (std::is_same_v<Enumeration, Light::Kind>) return kLightKinds;
     if constexpr (std::is_same_v<Enumeration, SampleType>) return kSampleTypes;

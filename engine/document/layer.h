@@ -22,11 +22,7 @@
 
 namespace patina {
 
-/// Ids are unique within a document, stable over save, reopen, undo and redo, and never 0.
-struct LayerId {
-    std::uint64_t value = 0;
-    auto operator<=>(const LayerId&) const = default;
-};
+/// As LayerId.
 struct MaskEntryId {
     std::uint64_t value = 0;
     auto operator<=>(const MaskEntryId&) const = default;

@@ -50,12 +50,6 @@ Status check_new_layers(const Document& document, const LayerList& layers) {
     return {};
 }
 
-LayerList all_with_fresh_ids(const LayerList& layers, std::uint64_t& next_id) {
-    LayerList fresh;
-    for (const LayerPtr& layer : layers) fresh.push_back(with_fresh_ids(*layer, next_id));
-    return fresh;
-}
-
 Layer fill_named(std::string_view name) {
     Layer layer;
     layer.name = name;
@@ -190,7 +184,7 @@ Edit add_layers(const Material& material, std::vector<LayerPtr> layers, LayerPla
                 if (Status status = check_new_layers(before, layers); !status)
                     return passed_on(status);
                 return with_stack(before, id, [&](const LayerList& stack, std::uint64_t& next_id) {
-                    return with_inserted(stack, all_with_fresh_ids(layers, next_id), place);
+                    return with_inserted(stack, with_fresh_ids(layers, next_id), place);
                 });
             }};
 }
@@ -212,7 +206,8 @@ Edit duplicate_layer(const Material& material, const Layer& layer) {
             const LayerPlace place = above(copy.id);
             copy.name = copy_name(copy.name);
             copy.locked = false;
-            return with_inserted(stack, {with_fresh_ids(copy, next_id)}, place);
+            const LayerList copies = {std::make_shared<const Layer>(std::move(copy))};
+            return with_inserted(stack, with_fresh_ids(copies, next_id), place);
         });
 }
 
@@ -266,7 +261,7 @@ Edit replace_stack(const Material& material, std::vector<LayerPtr> layers, std::
                         for (std::size_t i = 0; i < stack.size(); ++i)
                             if (Status status = check_unlocked(stack, LayerPath{i}); !status)
                                 return passed_on(status);
-                        return all_with_fresh_ids(layers, next_id);
+                        return with_fresh_ids(layers, next_id);
                     });
             }};
 }

@@ -15,7 +15,8 @@
 
 namespace patina {
 
-/// Records keep ids; presets, which get new ones wherever they are laid on, leave them out.
+/// Records keep ids; presets, which get new ones wherever they are laid on, leave them out but for
+/// those of layers that others refer to.
 enum class JsonIds { Kept, LeftOut };
 
 Json layers_to_json(const LayerList& layers, JsonIds ids);

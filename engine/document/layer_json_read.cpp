@@ -5,6 +5,7 @@
 #include "document/check.h"
 #include "document/layer_json.h"
 #include "document/mask_edits.h"
+#include "document/references.h"
 
 namespace patina {
 namespace {
@@ -130,6 +131,15 @@ ReliefSource read_relief(SourceUse use, ReliefKind kind, JsonObject& object) {
     return source;
 }
 
+ReferenceSource read_reference(SourceUse use, JsonObject& object) {
+    ReferenceSource source;
+    object.require("layer");
+    source.layer.value = static_cast<std::uint64_t>(object.integer("layer", 1, kLargestId, 1));
+    source.result = object.choice("result", source.result);
+    note(check_source(use, source), object.pointer(), object.faults());
+    return source;
+}
+
 Source read_source(SourceUse use, const Json& json, const std::string& pointer,
                    JsonFaults& faults) {
     if (!json.is_object()) return ConstantSource{read_value(use, json, pointer, faults)};
@@ -142,6 +152,8 @@ Source read_source(SourceUse use, const Json& json, const std::string& pointer,
         source = read_procedural(use, *noise, object);
     else if (const auto relief = choice_from_id<ReliefKind>(kind))
         source = read_relief(use, *relief, object);
+    else if (kind == "layer")
+        source = read_reference(use, object);
     else
         object.fault("kind", "is no kind of source");
     object.finish();
@@ -374,6 +386,22 @@ std::uint64_t issue_if_needed(std::uint64_t id, IssuedIds& issued) {
     return issued.next++;
 }
 
+/// `given`: the new ids of layers that had one, but one that was taken.
+LayerList with_issued_ids(const LayerList& layers, IssuedIds& issued, LayerIdMap& given) {
+    LayerList result;
+    for (const LayerPtr& layer : layers) {
+        Layer copy = *layer;
+        copy.id.value = issue_if_needed(copy.id.value, issued);
+        if (copy.id != layer->id && layer->id != LayerId{}) given.emplace(layer->id, copy.id);
+        for (MaskEntry& entry : copy.mask.entries)
+            entry.id.value = issue_if_needed(entry.id.value, issued);
+        if (auto* group = std::get_if<GroupContent>(&copy.content))
+            group->children = with_issued_ids(group->children, issued, given);
+        result.push_back(copy == *layer ? layer : std::make_shared<const Layer>(std::move(copy)));
+    }
+    return result;
+}
+
 }  // namespace
 
 LayerList layers_from_json(const Json& array, const std::string& pointer, JsonFaults& faults) {
@@ -395,17 +423,9 @@ std::uint64_t largest_id(const LayerList& layers) {
 }
 
 LayerList with_unique_ids(const LayerList& layers, IssuedIds& issued) {
-    LayerList result;
-    for (const LayerPtr& layer : layers) {
-        Layer copy = *layer;
-        copy.id.value = issue_if_needed(copy.id.value, issued);
-        for (MaskEntry& entry : copy.mask.entries)
-            entry.id.value = issue_if_needed(entry.id.value, issued);
-        if (auto* group = std::get_if<GroupContent>(&copy.content))
-            group->children = with_unique_ids(group->children, issued);
-        result.push_back(copy == *layer ? layer : std::make_shared<const Layer>(std::move(copy)));
-    }
-    return result;
+    LayerIdMap given;
+    LayerList result = with_issued_ids(layers, issued, given);
+    return given.empty() ? result : with_references_moved(result, given);
 }
 
 }  // namespace patina

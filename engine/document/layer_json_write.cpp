@@ -99,6 +99,12 @@ Json part_to_json(SourceUse, const ReliefSource& source) {
     return json;
 }
 
+Json part_to_json(SourceUse, const ReferenceSource& source) {
+    Json json = {{"kind", "layer"}, {"layer", source.layer.value}};
+    add_choice_unless(json, "result", source.result, ReferenceSource{}.result);
+    return json;
+}
+
 Json source_to_json(SourceUse use, const Source& source) {
     return std::visit([&](const auto& part) { return part_to_json(use, part); }, source);
 }
@@ -210,10 +216,26 @@ Json channels_to_json(const Layer& layer) {
     return json;
 }
 
-Json layer_to_json(const Layer& layer, JsonIds ids) {
+void collect_referred(const LayerList& layers, std::set<LayerId>& referred) {
+    const auto collect = [&](const Source& source) {
+        if (const auto* reference = std::get_if<ReferenceSource>(&source))
+            referred.insert(reference->layer);
+    };
+    for (const LayerPtr& layer : layers) {
+        for (const ChannelSettings& settings : layer->channels) collect(settings.source);
+        for (const MaskEntry& entry : layer->mask.entries) collect(entry.source);
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            collect_referred(group->children, referred);
+    }
+}
+
+/// `referred`: the layers whose ids are written whether or not others are.
+Json list_to_json(const LayerList& layers, JsonIds ids, const std::set<LayerId>& referred);
+
+Json layer_to_json(const Layer& layer, JsonIds ids, const std::set<LayerId>& referred) {
     const Layer standard;
     Json json = Json::object();
-    if (ids == JsonIds::Kept) json["id"] = layer.id.value;
+    if (ids == JsonIds::Kept || referred.contains(layer.id)) json["id"] = layer.id.value;
     json["name"] = layer.name;
     json["kind"] = kind_of(layer);
     add_unless(json, "visible", layer.visible, standard.visible);
@@ -229,19 +251,25 @@ Json layer_to_json(const Layer& layer, JsonIds ids) {
     if (Json mask = mask_to_json(layer.mask, ids); !mask.empty()) json["mask"] = std::move(mask);
     if (const auto* group = std::get_if<GroupContent>(&layer.content)) {
         add_unless(json, "open", group->open, GroupContent{}.open);
-        json["layers"] = layers_to_json(group->children, ids);
+        json["layers"] = list_to_json(group->children, ids, referred);
     }
     if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
         json["adjustment"] = adjustment_to_json(content->adjustment);
     return json;
 }
 
+Json list_to_json(const LayerList& layers, JsonIds ids, const std::set<LayerId>& referred) {
+    Json json = Json::array();
+    for (const LayerPtr& layer : layers) json.push_back(layer_to_json(*layer, ids, referred));
+    return json;
+}
+
 }  // namespace
 
 Json layers_to_json(const LayerList& layers, JsonIds ids) {
-    Json json = Json::array();
-    for (const LayerPtr& layer : layers) json.push_back(layer_to_json(*layer, ids));
-    return json;
+    std::set<LayerId> referred;
+    collect_referred(layers, referred);
+    return list_to_json(layers, ids, referred);
 }
 
 }  // namespace patina

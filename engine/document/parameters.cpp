@@ -118,6 +118,11 @@ constexpr std::array kParameters = {
     ParameterInfo{.parameter = Parameter::ReliefStrength, .subject = Subject::Relief, .id = "strength", .label = "Strength", .kind = Number, .minimum = 0.1, .maximum = 100.0, .standard = 8.0, .step = 0.5, .decimals = 1, .curve = SliderCurve::Logarithmic,
         .tooltip = "What the difference of heights is multiplied by, 0.1 to 100."},
 
+    ParameterInfo{.parameter = Parameter::ReferenceLayer, .subject = Subject::Reference, .id = "layer", .label = "Layer", .kind = ParameterKind::Integer, .minimum = 1.0, .maximum = 9007199254740992.0, .standard = 1.0, .step = 1.0, .decimals = 0,
+        .tooltip = "The layer that is read, hidden or not. Those that depend on this one cannot be."},
+    ParameterInfo{.parameter = Parameter::ReferenceResult, .subject = Subject::Reference, .id = "result", .label = "Result", .kind = ParameterKind::Choice, .choices = kLayerResults,
+        .tooltip = "What of the layer is read: where it covers, or one of its channels."},
+
     ParameterInfo{.parameter = Parameter::MaskEnabled, .subject = Subject::Mask, .id = "enabled", .label = "Enabled", .kind = Switch, .standard = 1.0,
         .tooltip = "Without its mask the layer covers everything."},
     ParameterInfo{.parameter = Parameter::MaskInvert, .subject = Subject::Mask, .id = "invert", .label = "Invert", .kind = Switch,

@@ -28,6 +28,7 @@ enum class Subject : std::uint8_t {
     UvTransform,  ///< of an image or procedural source
     Procedural,   ///< a procedural source
     Relief,       ///< a relief source
+    Reference,    ///< a source that reads another layer
     Mask,
     MaskEntry,
     Levels,  ///< of a mask entry or an adjustment
@@ -103,6 +104,9 @@ enum class Parameter : std::uint8_t {
     ReliefKindChoice,
     ReliefRadius,
     ReliefStrength,
+
+    ReferenceLayer,
+    ReferenceResult,
 
     MaskEnabled,
     MaskInvert,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document/layer_json.h"
+#include "document/references.h"
 
 namespace patina {
 namespace {
@@ -159,8 +160,10 @@ Result<Preset> read_preset(std::string_view text) {
     object.finish();
     if (!faults.any() && preset.layers.empty()) object.fault("layers", "has no layer");
     if (faults.any()) return passed_on(faults.status());
-    IssuedIds issued;
+    IssuedIds issued{.taken = {}, .next = largest_id(preset.layers) + 1};
     preset.layers = with_unique_ids(preset.layers, issued);
+    if (const Status references = check_references(preset.layers); !references)
+        return passed_on(references);
     if (const Status knobs = check_knobs(preset); !knobs) return passed_on(knobs);
     return preset;
 }

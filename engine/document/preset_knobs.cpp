@@ -80,7 +80,7 @@ Result<std::vector<LayerPtr>> turned_layers(const Preset& preset,
     JsonFaults faults;
     std::vector<LayerPtr> turned = layers_from_json(layers, "/layers", faults);
     if (faults.any()) return passed_on(faults.status());
-    IssuedIds issued;
+    IssuedIds issued{.taken = {}, .next = largest_id(turned) + 1};
     return with_unique_ids(turned, issued);
 }
 

@@ -6,6 +6,7 @@
 
 #include "document/check.h"
 #include "document/layer_json.h"
+#include "document/references.h"
 #include "document/scene_edits.h"
 
 namespace patina {
@@ -292,6 +293,8 @@ Result<MaterialRecord> material_record_from_json(std::string_view text) {
     if (faults.any()) return passed_on(faults.status());
     IssuedIds issued{.taken = {}, .next = largest_id(record.stack) + 1};
     record.stack = with_unique_ids(record.stack, issued);
+    if (const Status status = check_references(record.stack); !status)
+        return failure("/stack: {}", status.error().message);
     return record;
 }
 

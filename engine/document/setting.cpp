@@ -220,15 +220,37 @@ void collect_layers(const LayerList& layers, const std::string& name, std::vecto
     }
 }
 
-Result<Document> with_layer_setting(const Document& before, const Material& material, Path path,
-                                    const Json& value) {
+/// The layers of that name, the highest first; there is at least one.
+Result<std::vector<LayerPtr>> layers_named(const Material& material, const std::string& name) {
     std::vector<LayerPtr> layers;
     std::string known;
-    collect_layers(material.stack, path[0], layers, known);
+    collect_layers(material.stack, name, layers, known);
     if (layers.empty())
         return failure("material \"{}\" has no layer \"{}\"; there are: {}",
-                       quoted_for_message(material.name, 60), quoted_for_message(path[0], 60),
+                       quoted_for_message(material.name, 60), quoted_for_message(name, 60),
                        quoted_for_message(known, 300));
+    return layers;
+}
+
+/// A reference may name its layer; the document has the id.
+Status resolve_reference(const Material& material, Path path, Json& value) {
+    Json* const layer = value.is_object() && value.contains("kind") && value["kind"] == "layer"
+                            ? &value["layer"]
+                        : path.back() == "layer" ? &value
+                                                 : nullptr;
+    if (layer == nullptr || !layer->is_string()) return {};
+    const auto named = layers_named(material, layer->get<std::string>());
+    if (!named) return passed_on(named);
+    *layer = named->front()->id.value;
+    return {};
+}
+
+Result<Document> with_layer_setting(const Document& before, const Material& material, Path path,
+                                    Json value) {
+    const auto named = layers_named(material, path[0]);
+    if (!named) return passed_on(named);
+    const std::vector<LayerPtr>& layers = *named;
+    if (Status status = resolve_reference(material, path, value); !status) return passed_on(status);
     Document document = before;
     for (const LayerPtr& layer : layers) {
         auto changed =

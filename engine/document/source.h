@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Where a layer's channel or a mask entry gets its numbers: a constant, an image, a procedural.
-/// All are functions of the material's UV coordinates (u right, v down, 0..1 is the texture).
+/// Where a layer's channel or a mask entry gets its numbers: a constant, an image, a procedural,
+/// the heights below, another layer. All are functions of the material's UV coordinates (u right, v
+/// down, 0..1 is the texture).
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "core/hash.h"
+#include "document/channel.h"
 
 namespace patina {
+
+/// Ids are unique within a document, stable over save, reopen, undo and redo, and never 0.
+struct LayerId {
+    std::uint64_t value = 0;
+    auto operator<=>(const LayerId&) const = default;
+};
 
 /// KHR_texture_transform: uv' = offset + rotate(scale * uv). Rotation is counter-clockwise about
 /// the UV origin, as that extension defines it.
@@ -123,6 +132,37 @@ struct ReliefSource {
     bool operator==(const ReliefSource&) const = default;
 };
 
-using Source = std::variant<ConstantSource, ImageSource, ProceduralSource, ReliefSource>;
+/// What of a layer is read: its mask, or one of its channels, in the order of Channel.
+enum class LayerResult : std::uint8_t {
+    Mask,
+    BaseColor,
+    Metalness,
+    Roughness,
+    Normal,
+    Height,
+    Occlusion,
+    Emissive,
+    Opacity,
+};
+constexpr LayerResult result_of(Channel channel) {
+    return static_cast<LayerResult>(static_cast<int>(channel) + 1);
+}
+/// Unset of the mask.
+constexpr std::optional<Channel> channel_of(LayerResult result) {
+    if (result == LayerResult::Mask) return std::nullopt;
+    return static_cast<Channel>(static_cast<int>(result) - 1);
+}
+
+/// What another layer of the stack gives by itself, as if it lay alone where it is read: with its
+/// own mask, opacity and children, be it hidden or not; relief and heights below count where it is
+/// read. It covers no more than the layer does.
+struct ReferenceSource {
+    LayerId layer = {};
+    LayerResult result = LayerResult::Mask;
+    bool operator==(const ReferenceSource&) const = default;
+};
+
+using Source =
+    std::variant<ConstantSource, ImageSource, ProceduralSource, ReliefSource, ReferenceSource>;
 
 }  // namespace patina

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "document/references.h"
+
 namespace patina {
 namespace {
 
@@ -54,6 +56,16 @@ Status check_size(const LayerList& stack) {
         return failure("groups can be nested at most {} deep, this would make {}", kMaxLayerDepth,
                        depth);
     return {};
+}
+
+LayerPtr renumbered(const Layer& layer, std::uint64_t& next_id, LayerIdMap& given) {
+    Layer copy = layer;
+    copy.id = LayerId{next_id++};
+    given[layer.id] = copy.id;
+    for (MaskEntry& entry : copy.mask.entries) entry.id = MaskEntryId{next_id++};
+    if (auto* group = std::get_if<GroupContent>(&copy.content))
+        for (LayerPtr& child : group->children) child = renumbered(*child, next_id, given);
+    return std::make_shared<const Layer>(std::move(copy));
 }
 
 }  // namespace
@@ -124,13 +136,11 @@ Status check_unlocked(const LayerList& stack, std::span<const std::size_t> path,
     return {};
 }
 
-LayerPtr with_fresh_ids(const Layer& layer, std::uint64_t& next_id) {
-    Layer copy = layer;
-    copy.id = LayerId{next_id++};
-    for (MaskEntry& entry : copy.mask.entries) entry.id = MaskEntryId{next_id++};
-    if (auto* group = std::get_if<GroupContent>(&copy.content))
-        for (LayerPtr& child : group->children) child = with_fresh_ids(*child, next_id);
-    return std::make_shared<const Layer>(std::move(copy));
+LayerList with_fresh_ids(const LayerList& layers, std::uint64_t& next_id) {
+    LayerIdMap given;
+    LayerList fresh;
+    for (const LayerPtr& layer : layers) fresh.push_back(renumbered(*layer, next_id, given));
+    return with_references_moved(fresh, given);
 }
 
 Result<LayerList> with_inserted(const LayerList& stack, const LayerList& layers, LayerPlace place) {

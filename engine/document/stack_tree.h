@@ -42,9 +42,9 @@ enum class OwnLock { Respected, Ignored };
 Status check_unlocked(const LayerList& stack, std::span<const std::size_t> path,
                       OwnLock lock = OwnLock::Respected);
 
-/// The layer with new ids from `next_id` on: first its own, then its mask entries', then its
-/// children's.
-LayerPtr with_fresh_ids(const Layer& layer, std::uint64_t& next_id);
+/// The layers with new ids from `next_id` on: of each first its own, then its mask entries', then
+/// its children's. References among them stay among them.
+LayerList with_fresh_ids(const LayerList& layers, std::uint64_t& next_id);
 
 /// Puts layers (the first one lowest) at a place; refuses what would be too many or too deep.
 Result<LayerList> with_inserted(const LayerList& stack, const LayerList& layers, LayerPlace place);

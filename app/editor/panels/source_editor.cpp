@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "document/check.h"
 #include "document/procedural_kinds.h"
+#include "document/references.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -16,12 +18,24 @@
 namespace patina::editor {
 namespace {
 
-constexpr std::array<std::string_view, 4> kKinds = {"Value", "Image", "Procedural", "Relief"};
+/// In the order of Source.
+enum class Kind : std::uint8_t { Value, Image, Procedural, Relief, Layer };
+constexpr std::array<std::string_view, 5> kKindLabels = {"Value", "Image", "Procedural", "Relief",
+                                                         "Layer"};
 
-/// Relief is one number: of masks and scalars.
-std::span<const std::string_view> kinds_for(std::optional<Channel> channel) {
-    const bool scalar = !channel || info(*channel).kind == ChannelKind::Scalar;
-    return std::span(kKinds).first(scalar ? 4 : 3);
+std::vector<LayerPtr> readable_layers(const EditedSource& edited, const Shown& shown) {
+    return referable_layers(shown.material->stack, edited.layer);
+}
+
+/// Relief is one number: of masks and scalars. Another layer is offered where there is one.
+std::vector<Kind> kinds_for(const EditedSource& edited, const Shown& shown) {
+    std::vector<Kind> kinds = {Kind::Value, Kind::Image, Kind::Procedural};
+    if (!edited.channel || info(*edited.channel).kind == ChannelKind::Scalar)
+        kinds.push_back(Kind::Relief);
+    if (std::holds_alternative<ReferenceSource>(edited.source) ||
+        !readable_layers(edited, shown).empty())
+        kinds.push_back(Kind::Layer);
+    return kinds;
 }
 
 glm::vec3 neutral_value(std::optional<Channel> channel) {
@@ -40,20 +54,45 @@ ProceduralSource new_procedural(std::optional<Channel> channel) {
     return source;
 }
 
-Requests change_kind(const EditedSource& edited, int kind, const Shown& shown) {
+ImageSource new_image(const ImageAsset& image, std::optional<Channel> channel) {
+    ImageSource source{.image = image.hash};
+    if (is_color(channel)) source.color_space = image.color_space;
+    return source;
+}
+
+/// What a channel reads of another layer at first: its own; a mask the mask.
+LayerResult usual_result(std::optional<Channel> channel) {
+    return channel ? result_of(*channel) : LayerResult::Mask;
+}
+
+Requests change_kind(const EditedSource& edited, Kind kind, const Shown& shown) {
     Requests requests;
-    if (kind == 0)
-        requests.edit(set_source(edited.place, ConstantSource{neutral_value(edited.channel)}));
-    if (kind == 2) requests.edit(set_source(edited.place, new_procedural(edited.channel)));
-    if (kind == 3) requests.edit(set_source(edited.place, ReliefSource{}));
-    if (kind != 1) return requests;
-    if (shown.document->images.empty()) {
-        if (edited.channel)
-            requests.ask(ChooseImageFor{edited.layer, *edited.channel});
-        else
-            requests.ask(ChooseImageFor{edited.layer, edited.entry});
-    } else {
-        requests.edit(set_image(edited.place, shown.document->images.begin()->second));
+    const auto& images = shown.document->images;
+    switch (kind) {
+        case Kind::Value:
+            requests.edit(set_source(edited.place, ConstantSource{neutral_value(edited.channel)}));
+            break;
+        case Kind::Image:
+            if (!images.empty())
+                requests.edit(
+                    set_source(edited.place, new_image(*images.begin()->second, edited.channel)));
+            else if (edited.channel)
+                requests.ask(ChooseImageFor{edited.layer, *edited.channel});
+            else
+                requests.ask(ChooseImageFor{edited.layer, edited.entry});
+            break;
+        case Kind::Procedural:
+            requests.edit(set_source(edited.place, new_procedural(edited.channel)));
+            break;
+        case Kind::Relief:
+            requests.edit(set_source(edited.place, ReliefSource{}));
+            break;
+        case Kind::Layer:
+            if (const auto layers = readable_layers(edited, shown); !layers.empty())
+                requests.edit(set_source(edited.place,
+                                         ReferenceSource{.layer = layers.front()->id,
+                                                         .result = usual_result(edited.channel)}));
+            break;
     }
     return requests;
 }
@@ -258,6 +297,56 @@ Requests draw_relief(Ui& ui, Rect& rest, const SourcePlace& place, const ReliefS
     return requests;
 }
 
+/// A combo of the layers by name; one that is gone is named by what it is.
+Requests draw_layer_choice(Ui& ui, const Rect& rect, const EditedSource& edited,
+                           const ReferenceSource& now, const Shown& shown) {
+    Requests requests;
+    const std::vector<LayerPtr> layers = readable_layers(edited, shown);
+    std::vector<ComboItem> items;
+    int chosen = -1;
+    for (const LayerPtr& layer : layers) {
+        if (layer->id == now.layer) chosen = static_cast<int>(items.size());
+        items.push_back({.label = layer->name});
+    }
+    const ParameterInfo& row = info(Parameter::ReferenceLayer);
+    const ComboSpec spec{.label = row.label,
+                         .shown_label = row.label,
+                         .shown_value = chosen < 0 ? "Missing layer" : std::string_view(),
+                         .tooltip = row.tooltip};
+    const auto picked = combo(ui, rect, spec, items, chosen);
+    if (!picked) return requests;
+    ReferenceSource changed = now;
+    changed.layer = layers[static_cast<std::size_t>(*picked)]->id;
+    requests.edit(set_source(edited.place, changed));
+    return requests;
+}
+
+/// A combo of what can be read for the channel or mask.
+Requests draw_result_choice(Ui& ui, const Rect& rect, const EditedSource& edited,
+                            const ReferenceSource& now) {
+    Requests requests;
+    const auto table = choices<LayerResult>();
+    std::vector<ComboItem> items;
+    std::vector<LayerResult> results;
+    int chosen = -1;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const auto result = static_cast<LayerResult>(i);
+        if (!reads_result(edited.channel, result)) continue;
+        if (result == now.result) chosen = static_cast<int>(items.size());
+        items.push_back({.label = table[i].label});
+        results.push_back(result);
+    }
+    const ParameterInfo& row = info(Parameter::ReferenceResult);
+    const auto picked =
+        combo(ui, rect, {.label = row.label, .shown_label = row.label, .tooltip = row.tooltip},
+              items, chosen);
+    if (!picked) return requests;
+    ReferenceSource changed = now;
+    changed.result = results[static_cast<std::size_t>(*picked)];
+    requests.edit(set_source(edited.place, changed));
+    return requests;
+}
+
 Requests draw_direction(Ui& ui, const Rect& rect, const SourcePlace& place,
                         const glm::vec3& value) {
     constexpr std::array<std::string_view, 3> kNames = {"X", "Y", "Z"};
@@ -302,9 +391,16 @@ Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, cons
     Requests requests;
     // The row above has the same value with the same name.
     const Place place(ui, "Source");
-    const auto kind = static_cast<int>(edited.source.index());
-    if (const auto chosen = segmented(ui, next_line(ui, rest), kinds_for(edited.channel), kind))
-        requests.append(change_kind(edited, *chosen, shown));
+    const std::vector<Kind> kinds = kinds_for(edited, shown);
+    std::vector<std::string_view> labels;
+    int current = -1;
+    for (const Kind kind : kinds) {
+        if (static_cast<std::size_t>(kind) == edited.source.index())
+            current = static_cast<int>(labels.size());
+        labels.push_back(kKindLabels[static_cast<std::size_t>(kind)]);
+    }
+    if (const auto chosen = segmented(ui, next_line(ui, rest), labels, current))
+        requests.append(change_kind(edited, kinds[static_cast<std::size_t>(*chosen)], shown));
     if (std::holds_alternative<ConstantSource>(edited.source))
         requests.append(draw_constant(ui, next_line(ui, rest), edited, true));
     if (const auto* image = std::get_if<ImageSource>(&edited.source))
@@ -313,6 +409,10 @@ Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, cons
         requests.append(draw_procedural(ui, rest, edited, *procedural));
     if (const auto* relief = std::get_if<ReliefSource>(&edited.source))
         requests.append(draw_relief(ui, rest, edited.place, *relief));
+    if (const auto* reference = std::get_if<ReferenceSource>(&edited.source)) {
+        requests.append(draw_layer_choice(ui, next_line(ui, rest), edited, *reference, shown));
+        requests.append(draw_result_choice(ui, next_line(ui, rest), edited, *reference));
+    }
     return requests;
 }
 
@@ -326,6 +426,11 @@ std::string source_name(const Source& source, std::optional<Channel> channel,
         return std::string(choice(procedural->kind).label);
     if (const auto* relief = std::get_if<ReliefSource>(&source))
         return std::string(choice(relief->kind).label);
+    if (const auto* reference = std::get_if<ReferenceSource>(&source)) {
+        for (const MaterialPtr& material : document.materials)
+            if (const LayerPtr layer = find_layer(*material, reference->layer)) return layer->name;
+        return "Missing layer";
+    }
     const glm::vec3 value = std::get<ConstantSource>(source).value;
     return is_color(channel) ? hex_color(value) : number_text(static_cast<double>(value.x));
 }

@@ -18,7 +18,8 @@ struct EditedSource {
     MaskEntryId entry;  ///< of a mask
 };
 
-/// Kind (value, image, procedural) and all that this kind has, cut off the top of `rest`.
+/// Kind (value, image, procedural, relief, layer) and all that this kind has, cut off the top of
+/// `rest`.
 Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, const Shown& shown);
 
 /// The value of a constant as one field: a colour, a number, or a direction.

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "document/stack_tree.h"
+
 namespace patina::editor {
 namespace {
 
@@ -41,8 +43,10 @@ Source as_color(const Source& source, Channel channel) {
         image->add = glm::vec3(0.0f);
         image->directx_normal = false;
     }
-    // The relief is that of other layers.
-    if (std::holds_alternative<ReliefSource>(result)) result = ConstantSource{glm::vec3(0.5f)};
+    // Other layers are not there to be read.
+    if (std::holds_alternative<ReliefSource>(result) ||
+        std::holds_alternative<ReferenceSource>(result))
+        result = ConstantSource{glm::vec3(0.5f)};
     return result;
 }
 
@@ -99,6 +103,33 @@ std::vector<LayerPtr> only_branch(const std::vector<LayerPtr>& layers, LayerId i
     return result;
 }
 
+/// With no channel but the height, so that it is seen by what reads the heights below alone.
+LayerPtr only_height(const LayerPtr& layer) {
+    Layer copy = *layer;
+    for (const ChannelInfo& row : kChannels)
+        if (row.channel != Channel::Height) at(copy.channels, row.channel).enabled = false;
+    return std::make_shared<Layer>(std::move(copy));
+}
+
+LayerPtr hidden(const LayerPtr& layer) {
+    Layer copy = *layer;
+    copy.visible = false;
+    return std::make_shared<Layer>(std::move(copy));
+}
+
+/// What a mask of the layer reads: the heights below it in its list, and all layers, hidden, for
+/// references.
+std::vector<LayerPtr> what_masks_read(const std::vector<LayerPtr>& stack, LayerId id) {
+    std::vector<LayerPtr> read;
+    for (const LayerPtr& layer : stack) read.push_back(hidden(layer));
+    const auto path = path_of(stack, id);
+    if (!path) return read;
+    const std::span<const std::size_t> whole = *path;
+    const LayerList& list = list_at(stack, whole.first(whole.size() - 1));
+    for (std::size_t i = 0; i < whole.back(); ++i) read.push_back(only_height(list[i]));
+    return read;
+}
+
 }  // namespace
 
 Material layer_thumbnail(const Layer& layer) {
@@ -153,9 +184,10 @@ Material with_only_layer(const Material& material, LayerId layer) {
 Material with_mask_shown(const Material& material, LayerId layer) {
     const LayerPtr found = find_layer(material, layer);
     if (!found) return material;
-    Material shown = mask_thumbnail(found->mask);
     Material copy = material;
-    copy.stack = std::move(shown.stack);
+    copy.stack = what_masks_read(material.stack, layer);
+    const Material shown = mask_thumbnail(found->mask);
+    copy.stack.insert(copy.stack.end(), shown.stack.begin(), shown.stack.end());
     return copy;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/widgets/buttons.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace patina::editor {
 namespace {
@@ -25,6 +27,23 @@ void paint_box(const Ui& ui, const Rect& rect, bool on, bool hovered) {
 const ImFont* font_of(const Ui& ui, const TextButton& button) {
     if (button.main) return ui.fonts.title13;
     return button.link ? ui.fonts.medium13 : ui.fonts.body13;
+}
+
+/// All alike where every label fits so; else each has its label's width and its share of the rest.
+std::vector<float> segment_widths(const Ui& ui, std::span<const std::string_view> labels,
+                                  float width) {
+    const auto count = static_cast<float>(labels.size());
+    std::vector<float> widths;
+    float widest = 0.0f;
+    float sum = 0.0f;
+    for (const std::string_view label : labels) {
+        widths.push_back(std::ceil(text_width(ui.fonts.medium12, label)));
+        widest = std::max(widest, widths.back());
+        sum += widths.back();
+    }
+    for (float& each : widths)
+        each = widest + ui.px(8) <= width / count ? width / count : each + (width - sum) / count;
+    return widths;
 }
 
 }  // namespace
@@ -120,11 +139,11 @@ std::optional<int> segmented(Ui& ui, const Rect& rect, std::span<const std::stri
                              int chosen) {
     fill(ui, rect, theme::kField, 4);
     Rect rest = rect.inset(ui.px(2));
-    const float width = rest.width() / static_cast<float>(labels.size());
+    const std::vector<float> widths = segment_widths(ui, labels, rest.width());
     std::optional<int> result;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const bool on = static_cast<int>(i) == chosen;
-        const Rect part = rest.cut_left(width);
+        const Rect part = rest.cut_left(widths[i]);
         const Press pressed =
             press(ui, part, {.label = labels[i], .kind = "segment", .value = on ? "on" : "off"});
         if (on) fill(ui, part, theme::kFieldPressed, 3);

@@ -118,6 +118,13 @@ Source RandomStack::source(Channel channel) {
         return ReliefSource{.kind = static_cast<ReliefKind>(index(4)),
                             .radius_permille = number(1, 50),
                             .strength = number(1, 20)};
+    if (sources_ == RandomSources::All && !finished_.empty() && chance(12)) {
+        const LayerId of =
+            finished_[static_cast<std::size_t>(index(static_cast<int>(finished_.size())))];
+        if (channel == Channel::Normal) return ReferenceSource{of, LayerResult::Normal};
+        const auto result = static_cast<LayerResult>(index(9));
+        if (result != LayerResult::Normal) return ReferenceSource{of, result};
+    }
     if (chance(50)) return image_source(channel);
     if (channel == Channel::Normal)
         return ConstantSource{{number(-0.5f, 0.5f), number(-0.5f, 0.5f), 1.0f}};
@@ -205,6 +212,7 @@ Layer RandomStack::layer(int depth) {
         if (!adjusts(settings.kind, Channel::Normal))
             at(layer.channels, Channel::Normal).enabled = false;
     }
+    finished_.push_back(layer.id);
     return layer;
 }
 
@@ -222,6 +230,7 @@ Material RandomStack::material() {
 }
 
 Material RandomStack::edited(const Material& material) {
+    finished_.clear();  // a lower layer that refers to a higher one could make a cycle
     Material copy = material;
     const auto at_layer = static_cast<std::size_t>(index(static_cast<int>(copy.stack.size())));
     Layer changed = *copy.stack[at_layer];

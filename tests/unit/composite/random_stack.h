@@ -46,6 +46,7 @@ class RandomStack {
     int size_;
     RandomSources sources_;
     std::uint64_t next_id_ = 1;
+    std::vector<LayerId> finished_;  ///< layers that those to come can refer to
 };
 
 }  // namespace patina

@@ -139,12 +139,13 @@ TEST(Parameters, TheSchemaStatesTheSameRangesStandardsAndChoices) {
         read_text_file(std::filesystem::path(PATINA_SOURCE_DIR) / "presets/schema.json").value());
     const json& defs = schema["$defs"];
     const std::map<Subject, std::string> places = {
-        {Subject::Layer, "/fill"},    {Subject::Channel, "/color-channel"},
-        {Subject::Image, "/image"},   {Subject::UvTransform, "/transform"},
-        {Subject::Mask, "/mask"},     {Subject::Procedural, "/procedural-scalar"},
-        {Subject::Levels, "/levels"}, {Subject::MaskEntry, "/mask-entry"},
-        {Subject::Light, "/light"},   {Subject::HeightBlend, "/height-blend"},
-        {Subject::Relief, "/relief"}, {Subject::Adjustment, "/adjustment"},
+        {Subject::Layer, "/fill"},          {Subject::Channel, "/color-channel"},
+        {Subject::Image, "/image"},         {Subject::UvTransform, "/transform"},
+        {Subject::Mask, "/mask"},           {Subject::Procedural, "/procedural-scalar"},
+        {Subject::Levels, "/levels"},       {Subject::MaskEntry, "/mask-entry"},
+        {Subject::Light, "/light"},         {Subject::HeightBlend, "/height-blend"},
+        {Subject::Relief, "/relief"},       {Subject::Adjustment, "/adjustment"},
+        {Subject::Reference, "/reference"},
     };
     int compared = 0;
     for (const ParameterInfo& row : parameters()) {

@@ -123,9 +123,12 @@ struct Target {
 using EditOf = std::function<Edit(const Target&)>;
 
 Source some_source(const Target& t) {
-    switch (t.choices.below(4)) {
+    switch (t.choices.below(5)) {
         case 0:
             return ConstantSource{t.color()};
+        case 4:
+            return ReferenceSource{.layer = t.other_layer()->id,
+                                   .result = static_cast<LayerResult>(t.choices.below(9))};
         case 2:
             return ReliefSource{.kind = static_cast<ReliefKind>(t.choices.below(4)),
                                 .radius_permille = t.choices.number(0, 60)};

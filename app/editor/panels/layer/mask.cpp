@@ -4,6 +4,7 @@
 #include <array>
 
 #include "document/edits.h"
+#include "document/references.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/layer/parts.h"
 #include "editor/panels/levels_fields.h"
@@ -18,6 +19,7 @@ namespace {
 std::string kind_of(const Source& source) {
     if (std::holds_alternative<ImageSource>(source)) return "Image";
     if (std::holds_alternative<ReliefSource>(source)) return "Relief";
+    if (std::holds_alternative<ReferenceSource>(source)) return "Layer";
     return std::holds_alternative<ProceduralSource>(source) ? "Procedural" : "Value";
 }
 
@@ -136,6 +138,12 @@ Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
     for (const ReliefKind kind : {ReliefKind::Cavity, ReliefKind::Edge})
         if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
             requests.edit(add_mask_entry(subject.material, subject.layer, relief_mask_entry(kind)));
+    const auto others = referable_layers(subject.material.stack, subject.layer.id);
+    if (!others.empty() && menu.item({.icon = icon::kLink, .label = "Another layer"})) {
+        const MaskEntry entry{.name = others.front()->name,
+                              .source = ReferenceSource{.layer = others.front()->id}};
+        requests.edit(add_mask_entry(subject.material, subject.layer, entry));
+    }
     if (menu.item({.icon = icon::kImage, .label = "Image\u2026"}))
         requests.ask(ChooseImageFor{subject.layer.id, std::monostate{}});
     if (menu.item({.icon = icon::kDroplet, .label = "Value"}))

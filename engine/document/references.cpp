@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "document/references.h"
+
+#include <algorithm>
+
+namespace patina {
+namespace {
+
+template <typename LayerType, typename Visit>
+void for_each_source(LayerType& layer, const Visit& visit) {
+    for (auto& settings : layer.channels) visit(settings.source);
+    for (auto& entry : layer.mask.entries) visit(entry.source);
+}
+
+bool has_references(const LayerList& layers) {
+    bool found = false;
+    for (const LayerPtr& layer : layers) {
+        for_each_source(*layer, [&](const Source& source) {
+            found = found || std::holds_alternative<ReferenceSource>(source);
+        });
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            found = found || has_references(group->children);
+    }
+    return found;
+}
+
+/// Which layers each layer of a stack depends on directly.
+class Dependencies {
+  public:
+    explicit Dependencies(const LayerList& stack) {
+        top_ = add(stack);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) add_references(i);
+    }
+
+    struct Node {
+        LayerPtr layer;
+        std::vector<std::size_t> needs = {};  ///< once for each time that it is evaluated
+        enum class Mark { New, Open, Done } mark = Mark::New;
+        int cost = 1;   ///< layers evaluated for it
+        int depth = 1;  ///< of groups and references from it down
+    };
+
+    /// Fails where there is a cycle; costs and depths are known afterwards.
+    Status visit_all() {
+        for (Node& node : nodes_)
+            if (Status status = visit(node); !status) return status;
+        return {};
+    }
+
+    const std::vector<Node>& nodes() const { return nodes_; }
+    const std::vector<std::size_t>& top() const { return top_; }
+
+    /// Marks all that depends on the layer, itself included.
+    std::vector<bool> dependants(LayerId id) const {
+        std::vector<bool> reached(nodes_.size(), false);
+        const auto own = index_.find(id);
+        if (own == index_.end()) return reached;
+        reached[own->second] = true;
+        for (bool grows = true; grows;) {
+            grows = false;
+            for (std::size_t i = 0; i < nodes_.size(); ++i) {
+                const auto& needs = nodes_[i].needs;
+                if (reached[i] || std::none_of(needs.begin(), needs.end(),
+                                               [&](std::size_t need) { return reached[need]; }))
+                    continue;
+                reached[i] = grows = true;
+            }
+        }
+        return reached;
+    }
+
+  private:
+    /// Returns the indices of the layers in the list.
+    std::vector<std::size_t> add(const LayerList& layers) {
+        std::vector<std::size_t> indices;
+        std::optional<std::size_t> base;
+        for (const LayerPtr& layer : layers) {
+            const std::size_t index = nodes_.size();
+            indices.push_back(index);
+            nodes_.push_back({layer});
+            index_.emplace(layer->id, index);
+            if (const auto* group = std::get_if<GroupContent>(&layer->content)) {
+                std::vector<std::size_t> children = add(group->children);
+                nodes_[index].needs = std::move(children);
+            }
+            if (layer->clipped && base) nodes_[index].needs.push_back(*base);
+            if (!layer->clipped) base = index;
+        }
+        return indices;
+    }
+
+    void add_references(std::size_t index) {
+        for_each_source(*nodes_[index].layer, [&](const Source& source) {
+            const auto* const reference = std::get_if<ReferenceSource>(&source);
+            if (reference == nullptr) return;
+            if (const auto found = index_.find(reference->layer); found != index_.end())
+                nodes_[index].needs.push_back(found->second);
+        });
+    }
+
+    Status visit(Node& node) {
+        using Mark = Node::Mark;
+        if (node.mark == Mark::Done) return {};
+        node.mark = Mark::Open;
+        for (const std::size_t need : node.needs) {
+            Node& other = nodes_[need];
+            if (other.mark == Mark::Open)
+                return failure("{} would depend on itself, by what {} reads",
+                               quoted_for_message(other.layer->name, 80),
+                               quoted_for_message(node.layer->name, 80));
+            if (Status status = visit(other); !status) return status;
+            node.cost = std::min(node.cost + other.cost, kMaxEvaluatedLayers + 1);
+            node.depth = std::max(node.depth, other.depth + 1);
+        }
+        node.mark = Mark::Done;
+        return {};
+    }
+
+    std::vector<Node> nodes_;  ///< top-level layers and those in groups, bottom to top
+    std::vector<std::size_t> top_;
+    std::map<LayerId, std::size_t> index_;
+};
+
+LayerPtr moved_in(const LayerPtr& layer, const LayerIdMap& moved) {
+    Layer copy = *layer;
+    for_each_source(copy, [&](Source& source) {
+        auto* const reference = std::get_if<ReferenceSource>(&source);
+        if (reference == nullptr) return;
+        if (const auto found = moved.find(reference->layer); found != moved.end())
+            reference->layer = found->second;
+    });
+    if (auto* group = std::get_if<GroupContent>(&copy.content))
+        group->children = with_references_moved(group->children, moved);
+    return copy == *layer ? layer : std::make_shared<const Layer>(std::move(copy));
+}
+
+}  // namespace
+
+Status check_references(const LayerList& stack) {
+    if (!has_references(stack)) return {};
+    Dependencies dependencies(stack);
+    if (Status status = dependencies.visit_all(); !status) return status;
+    int cost = 0;
+    for (const std::size_t index : dependencies.top()) {
+        const Dependencies::Node& node = dependencies.nodes()[index];
+        cost = std::min(cost + node.cost, kMaxEvaluatedLayers + 1);
+        if (node.depth > kMaxEvaluatedDepth)
+            return failure("groups and references can be nested at most {} deep",
+                           kMaxEvaluatedDepth);
+    }
+    if (cost > kMaxEvaluatedLayers)
+        return failure("references would make more than {} layers of this stack",
+                       kMaxEvaluatedLayers);
+    return {};
+}
+
+std::vector<LayerPtr> referable_layers(const LayerList& stack, LayerId reader) {
+    const Dependencies dependencies(stack);
+    const std::vector<bool> out = dependencies.dependants(reader);
+    std::vector<LayerPtr> layers;
+    for (std::size_t i = out.size(); i-- > 0;)
+        if (!out[i]) layers.push_back(dependencies.nodes()[i].layer);
+    return layers;
+}
+
+LayerList with_references_moved(const LayerList& layers, const LayerIdMap& moved) {
+    LayerList result;
+    result.reserve(layers.size());
+    for (const LayerPtr& layer : layers) result.push_back(moved_in(layer, moved));
+    return result;
+}
+
+}  // namespace patina
