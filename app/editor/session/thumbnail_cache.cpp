@@ -123,11 +123,16 @@ Result<Image> small_image(const Image& image) {
 /// The material whose base colour, or whose ball, is the subject's thumbnail.
 Material material_of(const ThumbnailCache::Subject& subject) {
     if (const auto* layer = std::get_if<Layer>(&subject)) return layer_thumbnail(*layer);
-    if (const auto* mask = std::get_if<Mask>(&subject)) return mask_thumbnail(*mask);
-    if (const auto* entry = std::get_if<MaskEntry>(&subject)) return mask_entry_thumbnail(*entry);
+    if (const auto* mask = std::get_if<ThumbnailCache::LayerMask>(&subject))
+        return mask_thumbnail(mask->mask, mask->stack, mask->layer);
     if (const auto* source = std::get_if<ThumbnailCache::ChannelSource>(&subject))
         return source_thumbnail(source->source, source->channel);
     return std::get<Material>(subject);
+}
+
+ThumbnailCache::LayerMask mask_of(const Material& material, const Layer& layer, Mask mask) {
+    if (!reads_other_layers(mask)) return {.mask = std::move(mask)};
+    return {.mask = std::move(mask), .stack = material.stack, .layer = layer.id};
 }
 
 Hash128 material_key(std::string_view kind, const Material& material) {
@@ -224,12 +229,14 @@ Picture ThumbnailCache::layer(const Material&, const Layer& layer) {
     return of_subject({PlaceKind::Layer, layer.id.value}, layer);
 }
 
-Picture ThumbnailCache::mask(const Material&, const Layer& layer) {
-    return of_subject({PlaceKind::Mask, layer.id.value}, layer.mask);
+Picture ThumbnailCache::mask(const Material& material, const Layer& layer) {
+    return of_subject({PlaceKind::Mask, layer.id.value}, mask_of(material, layer, layer.mask));
 }
 
-Picture ThumbnailCache::mask_entry(const Material&, const Layer&, const MaskEntry& entry) {
-    return of_subject({PlaceKind::MaskEntry, entry.id.value}, entry);
+Picture ThumbnailCache::mask_entry(const Material& material, const Layer& layer,
+                                   const MaskEntry& entry) {
+    return of_subject({PlaceKind::MaskEntry, entry.id.value},
+                      mask_of(material, layer, only_entry(entry)));
 }
 
 Picture ThumbnailCache::channel_source(const Material&, const Layer& layer, Channel channel) {

@@ -44,8 +44,15 @@ class ThumbnailCache final : public Thumbnails {
         Channel channel = Channel::BaseColor;
         bool operator==(const ChannelSource&) const = default;
     };
+    /// A mask, and the stack of its layer where it reads that.
+    struct LayerMask {
+        Mask mask;
+        std::vector<LayerPtr> stack = {};
+        LayerId layer = {};
+        bool operator==(const LayerMask&) const = default;
+    };
     /// What a thumbnail is of; a Material is shown as a ball.
-    using Subject = std::variant<Layer, Mask, MaskEntry, ChannelSource, Material>;
+    using Subject = std::variant<Layer, LayerMask, ChannelSource, Material>;
 
     /// Uploads what is ready, and draws at most one ball unless `hurried`. True when more is left.
     bool finish_some(bool hurried);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/session/thumbnail_materials.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "document/stack_tree.h"
@@ -60,6 +61,16 @@ Layer white_through(Mask mask) {
     Layer layer = only_base_color(ConstantSource{glm::vec3(1.0f)});
     layer.id = {2};
     layer.mask = std::move(mask);
+    return layer;
+}
+
+/// The heights that masks read are no part of the picture.
+Layer level() {
+    Layer layer;
+    layer.id = {3};
+    ChannelSettings& height = at(layer.channels, Channel::Height);
+    height.enabled = true;
+    height.mode = BlendMode::Replace;
     return layer;
 }
 
@@ -149,19 +160,29 @@ Material layer_thumbnail(const Layer& layer) {
     return source_thumbnail(at(layer.channels, *channel).source, *channel);
 }
 
-Material mask_thumbnail(const Mask& mask) {
-    return stack_of({only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(mask)});
+bool reads_other_layers(const Mask& mask) {
+    return std::any_of(mask.entries.begin(), mask.entries.end(), [](const MaskEntry& entry) {
+        return std::holds_alternative<ReliefSource>(entry.source) ||
+               std::holds_alternative<ReferenceSource>(entry.source);
+    });
 }
 
-Material mask_entry_thumbnail(const MaskEntry& entry) {
+Material mask_thumbnail(const Mask& mask, const std::vector<LayerPtr>& stack, LayerId layer) {
+    Material shown =
+        stack_of({only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(mask), level()});
+    const std::vector<LayerPtr> read = what_masks_read(stack, layer);
+    shown.stack.insert(shown.stack.begin(), read.begin(), read.end());
+    return shown;
+}
+
+Mask only_entry(const MaskEntry& entry) {
     Mask mask;
     MaskEntry alone = entry;
     alone.visible = true;
     alone.opacity = 1.0f;
     alone.combine = MaskCombine::Replace;
     mask.entries.push_back(std::move(alone));
-    return stack_of(
-        {only_base_color(ConstantSource{glm::vec3(0.0f)}), white_through(std::move(mask))});
+    return mask;
 }
 
 Material source_thumbnail(const Source& source, Channel channel) {
@@ -185,9 +206,7 @@ Material with_mask_shown(const Material& material, LayerId layer) {
     const LayerPtr found = find_layer(material, layer);
     if (!found) return material;
     Material copy = material;
-    copy.stack = what_masks_read(material.stack, layer);
-    const Material shown = mask_thumbnail(found->mask);
-    copy.stack.insert(copy.stack.end(), shown.stack.begin(), shown.stack.end());
+    copy.stack = mask_thumbnail(found->mask, material.stack, layer).stack;
     return copy;
 }
 

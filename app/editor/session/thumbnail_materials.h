@@ -11,9 +11,12 @@ namespace patina::editor {
 /// The layer by itself, everywhere: without its mask, opacity and place in the stack. Where it has
 /// no base colour, its first other channel is shown as a grey or a colour.
 Material layer_thumbnail(const Layer& layer);
+/// Whether something of the mask is made of other layers, so that it needs their stack to be shown.
+bool reads_other_layers(const Mask& mask);
 /// White where a mask lets the layer through, on black.
-Material mask_thumbnail(const Mask& mask);
-Material mask_entry_thumbnail(const MaskEntry& entry);
+Material mask_thumbnail(const Mask& mask, const std::vector<LayerPtr>& stack, LayerId layer);
+/// A mask of that entry alone.
+Mask only_entry(const MaskEntry& entry);
 /// Of a channel: a number is shown as a grey, a direction as its usual colour.
 Material source_thumbnail(const Source& source, Channel channel);
 Material preset_thumbnail(const Preset& preset);
