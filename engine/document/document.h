@@ -52,7 +52,10 @@ struct Document {
     /// it to see what was edited. Edits carry it along; it is neither serialised nor compared.
     DocumentPtr opened;
     ScenePtr scene;
-    std::vector<MaterialPtr> materials;  ///< in the order of the file; the default one last
+    /// In the order of the file, then those that were added; the default one last.
+    std::vector<MaterialPtr> materials;
+    /// Parts that are drawn with another material than the file says (document/parts.h).
+    std::map<PartRef, MaterialId> assigned;
     std::map<Hash128, ImageAssetPtr> images;
     EnvironmentSettings environment;
     std::vector<Light> lights;  ///< in the world; those of the file to begin with
@@ -61,7 +64,8 @@ struct Document {
 
 /// The material with that id, or null.
 MaterialPtr find_material(const Document& document, MaterialId id);
-/// The material that a primitive is drawn with (Primitive::source_material), or null if none is.
+/// The material that is drawn by that number (Material::source_material, -1 where it is unset), or
+/// null if none is.
 MaterialPtr material_of(const Document& document, int source_material);
 /// The layer with that id anywhere in the stack, groups included, or null.
 LayerPtr find_layer(const Material& material, LayerId id);

@@ -18,5 +18,6 @@
 #include "document/layer_edits.h"
 #include "document/mask_edits.h"
 #include "document/material_edits.h"
+#include "document/material_list_edits.h"
 #include "document/scene_edits.h"
 #include "document/source_edits.h"

@@ -62,7 +62,8 @@ std::size_t bytes_of_image(const ImageAsset& image) {
 /// nothing keeps the nodes.
 bool same_content(const Document& a, const Document& b) {
     return a.materials == b.materials && a.images == b.images && a.environment == b.environment &&
-           a.lights == b.lights && a.source == b.source && a.scene == b.scene;
+           a.lights == b.lights && a.assigned == b.assigned && a.source == b.source &&
+           a.scene == b.scene;
 }
 
 }  // namespace

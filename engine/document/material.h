@@ -21,6 +21,9 @@ struct MaterialId {
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
+/// Where the numbers of added materials begin, and the most materials that a file may hold.
+inline constexpr int kFirstAddedMaterial = 1 << 20;
+
 inline constexpr int kMinResolution = 256;
 inline constexpr int kMaxResolution = 8192;
 
@@ -39,13 +42,22 @@ struct Material {
     float specular_factor = 1.0f;                       ///< KHR_materials_specular
     glm::vec3 specular_color_linear = glm::vec3(1.0f);  ///< KHR_materials_specular
     float emissive_strength = 1.0f;                     ///< KHR_materials_emissive_strength
-    /// Index in the glTF file; unset for the material that stands for primitives without one.
+    /// Index in the glTF file, or kFirstAddedMaterial and beyond for one that an edit added; unset
+    /// for the material that stands for primitives without one. What the renderer knows it by.
     std::optional<int> source_material;
+    /// The material of the file that an added one is a copy of: what Patina does not understand of
+    /// that one goes along when it is saved.
+    std::optional<int> copied_from;
 
     bool operator==(const Material&) const = default;
 };
 
 using MaterialPtr = std::shared_ptr<const Material>;
+
+/// Whether an edit added it: nothing of it is in the file that was opened.
+inline bool is_added(const Material& material) {
+    return material.source_material.value_or(-1) >= kFirstAddedMaterial;
+}
 
 /// What lies under every stack: base colour 0.5 linear, metalness 0, roughness 0.5, flat normal,
 /// height 0, occlusion 1, emissive 0, opacity 1. Colours and normals in xyz, scalars in x.

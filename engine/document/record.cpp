@@ -6,6 +6,7 @@
 
 #include "document/check.h"
 #include "document/layer_json.h"
+#include "document/parts.h"
 #include "document/references.h"
 #include "document/scene_edits.h"
 
@@ -50,6 +51,15 @@ Json light_to_json(const Light& light) {
 Json lights_to_json(const std::vector<Light>& lights) {
     Json json = Json::array();
     for (const Light& light : lights) json.push_back(light_to_json(light));
+    return json;
+}
+
+/// What each part of the model is drawn with, whether the file says so or an edit.
+Json parts_to_json(const Document& document) {
+    Json json = Json::array();
+    for (const Part& part : parts_of(document))
+        json.push_back(
+            {part.ref.mesh, part.ref.primitive, part.material ? part.material->id.value : 0});
     return json;
 }
 
@@ -348,6 +358,7 @@ std::string serialise(const Document& document) {
         json["images"].push_back(image_to_json(record_image(*image)));
     json["environment"] = environment_to_json(document.environment);
     json["lights"] = lights_to_json(document.lights);
+    json["parts"] = parts_to_json(document);
     return indented_text(json);
 }
 

@@ -68,16 +68,23 @@ Status compile(const Shader& shader, const ProgramDescription& description, std:
 Result<Program> Program::make(const ProgramDescription& description) {
     const Shader vertex(GL_VERTEX_SHADER);
     const Shader fragment(GL_FRAGMENT_SHADER);
+    const Shader geometry(GL_GEOMETRY_SHADER);
+    const bool has_geometry = !description.geometry_file.empty();
     if (Status done = compile(vertex, description, description.vertex_file); !done)
         return passed_on(done);
     if (Status done = compile(fragment, description, description.fragment_file); !done)
         return passed_on(done);
+    if (has_geometry)
+        if (Status done = compile(geometry, description, description.geometry_file); !done)
+            return passed_on(done);
 
     Program program;
     program.object_ = Object(ObjectKind::Program, glCreateProgram(), description.label);
     glAttachShader(program.name(), vertex.name());
     glAttachShader(program.name(), fragment.name());
+    if (has_geometry) glAttachShader(program.name(), geometry.name());
     glLinkProgram(program.name());
+    if (has_geometry) glDetachShader(program.name(), geometry.name());
     glDetachShader(program.name(), vertex.name());
     glDetachShader(program.name(), fragment.name());
     GLint linked = GL_FALSE;

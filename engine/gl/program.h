@@ -22,9 +22,11 @@ struct ProgramDescription {
     std::string vertex_file;                     // e.g. "passes/gbuffer.vert"
     std::string fragment_file;
     std::vector<ShaderDefine> defines{};
+    std::string geometry_file{};  // empty: none
 };
 
-/// A vertex and a fragment shader, linked, with the values of their uniforms.
+/// A vertex and a fragment shader, and maybe one for geometry, linked, with the values of their
+/// uniforms.
 class Program {
   public:
     /// Fails with the first line of the driver's log, which names file and line.

@@ -21,6 +21,10 @@ std::vector<const TextureUse*> slots_of_map(const MaterialValues& material, std:
     return {};
 }
 
+/// The place of the material of primitives without one: the same however many materials a save
+/// adds.
+constexpr std::size_t kDefaultPlace = std::size_t{1} << 19;
+
 /// Ids by the place in the file: a material without a record has the same ones whenever the file is
 /// opened, also after a save that gave records to other materials.
 Material with_ids_of_place(Material material, std::size_t index) {
@@ -177,7 +181,7 @@ class DocumentReader {
             for (const Primitive& primitive : mesh.primitives) {
                 if (primitive.source_material >= 0) continue;
                 document_.materials.push_back(std::make_shared<const Material>(
-                    with_ids_of_place(default_material(), parts_.model.materials.size())));
+                    with_ids_of_place(default_material(), kDefaultPlace)));
                 return;
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
+#include "document/material.h"
 #include "io/gltf_check.h"
 #include "io/texture_use.h"
 
@@ -127,6 +128,10 @@ void check_textures(const JsonPlace& root, const CheckedGltf& checked) {
 
 void check_materials(const JsonPlace& root) {
     const std::size_t textures = root.array_size("textures");
+    if (root.array_size("materials") > std::size_t{kFirstAddedMaterial})
+        return root.fault("materials",
+                          fmt::format("are {}, more than the limit of {}",
+                                      root.array_size("materials"), kFirstAddedMaterial));
     for (const JsonPlace& place : root.objects("materials")) check_material(place, textures);
 }
 

@@ -59,7 +59,7 @@ class MaterialWriter {
         for (const Slot slot : kSlots)
             if (changed_[as_index(slot)])
                 if (const Status ok = state(slot); !ok) return passed_on(ok);
-        state_settings(json_, now_, before_);
+        state_settings(json_, now_, settings_before());
         list_extensions(save_.gltf, json_);
         record();
         Json& materials = save_.gltf.array("materials");
@@ -72,21 +72,24 @@ class MaterialWriter {
   private:
     Json& materials() { return save_.gltf.array("materials"); }
 
-    /// Finds the material in the file, or adds it and gives it to the primitives without one.
+    /// Finds the material in the file, where a new one has its place already.
     void open() {
-        const bool in_file =
-            now_.source_material && *now_.source_material < static_cast<int>(materials().size());
-        if (in_file) {
-            index_ = *now_.source_material;
+        const auto added = save_.places.find(now_.id);
+        if (added == save_.places.end()) {
+            index_ = now_.source_material.value_or(0);
         } else {
             before_ = nullptr;
-            index_ = static_cast<int>(materials().size());
-            materials().push_back(Json::object());
-            assign_to_bare_primitives(save_.gltf.array("meshes"), index_);
+            index_ = added->second;
         }
         json_ = materials()[static_cast<std::size_t>(index_)];
-        old_record_ = record_of(json_);
+        if (before_) old_record_ = record_of(json_);
         stand_in_ = find_stand_in(materials(), now_.id);
+    }
+
+    /// What the settings in the JSON are those of, or null where it has none yet.
+    const Material* settings_before() const {
+        if (before_ || !now_.copied_from || !save_.document.opened) return before_;
+        return material_of(*save_.document.opened, *now_.copied_from).get();
     }
 
     bool is_baked(Slot slot) const {
@@ -104,7 +107,7 @@ class MaterialWriter {
         for (const Slot slot : kSlots) {
             if (is_baked(slot)) shown_uv_sets_.insert(now_.uv_set);
             if (const auto* image = std::get_if<SlotImage>(&slots_[as_index(slot)]))
-                if (changed_[as_index(slot)]) shown_uv_sets_.insert(image->source.uv_set);
+                if (averaged(slot)) shown_uv_sets_.insert(image->source.uv_set);
         }
         needs_stand_in_ =
             some_primitive_lacks(save_.gltf.array("meshes"), {index_, stand_in_}, shown_uv_sets_);
@@ -112,7 +115,7 @@ class MaterialWriter {
 
     void find_changed_slots() {
         changed_.fill(true);
-        if (!before_) return;
+        if (!before_) return replace_specular_glossiness();
         const Program old = Program::compile(*before_);
         const bool same_layout =
             now_.resolution == before_->resolution && now_.uv_set == before_->uv_set;
@@ -249,7 +252,10 @@ class MaterialWriter {
     }
 
     /// Whether a stand-in shows a mean in the place of the slot's texture.
-    bool averaged(Slot slot) const { return is_baked(slot) || changed_[as_index(slot)]; }
+    bool averaged(Slot slot) const {
+        return is_baked(slot) || changed_[as_index(slot)] ||
+               save_.shown_without_uvs.contains(now_.id);
+    }
 
     void share_with_stand_in() {
         Json& meshes = save_.gltf.array("meshes");

@@ -4,7 +4,9 @@
 /// One edited material put into the JSON of a glTF file: its slots by the bake rules, its settings
 /// and its record.
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,10 @@ struct MaterialSave {
     ImageProvider& pixels;
     GltfJson& gltf;
     GltfImages& images;
+    /// Where materials that were not in the file stand in it now (io/part_materials.h).
+    std::map<MaterialId, int> places;
+    /// Those that a part without the UV sets of their maps was assigned to.
+    std::set<MaterialId> shown_without_uvs;
     std::optional<int> size;  ///< overrides the resolution of materials
     Progress progress;
     std::vector<std::string> warnings;

@@ -306,7 +306,9 @@ Result<Mesh> read_mesh(const GltfData& data, int index, const MeshPose& pose,
         auto primitive =
             read_primitive(data, source.primitives[i], pointer, pose, budget, warnings);
         if (!primitive) return passed_on(primitive);
-        if (*primitive) mesh.primitives.push_back(std::move(**primitive));
+        if (!*primitive) continue;
+        (*primitive)->source = {.mesh = index, .primitive = static_cast<int>(i)};
+        mesh.primitives.push_back(std::move(**primitive));
     }
     return mesh;
 }

@@ -9,6 +9,7 @@
 #include "io/file_set.h"
 #include "io/glb_write.h"
 #include "io/material_save.h"
+#include "io/part_materials.h"
 #include "io/record_json.h"
 #include "io/safe_name.h"
 #include "io/uri.h"
@@ -37,14 +38,22 @@ struct EditedMaterial {
 
 std::vector<EditedMaterial> edited_materials(const Document& document) {
     std::vector<EditedMaterial> edited;
+    const std::set<MaterialId> without_uvs = shown_without_uvs(document);
     for (const MaterialPtr& now : document.materials) {
         const MaterialPtr before =
             document.opened ? find_material(*document.opened, now->id) : nullptr;
-        if (now == before) continue;
-        if (before && same_content(document, *now, *document.opened, *before)) continue;
+        const bool is_unchanged =
+            before && (now == before || same_content(document, *now, *document.opened, *before));
+        if (is_unchanged && !without_uvs.contains(now->id)) continue;
         edited.push_back({now, before});
     }
     return edited;
+}
+
+std::vector<MaterialPtr> materials_of(const std::vector<EditedMaterial>& edited) {
+    std::vector<MaterialPtr> materials;
+    for (const EditedMaterial& each : edited) materials.push_back(each.now);
+    return materials;
 }
 
 bool scene_is_edited(const Document& document) {
@@ -79,7 +88,9 @@ class Saver {
     Status save_as(Container container) {
         const std::vector<EditedMaterial> edited = edited_materials(document_);
         const bool converts = container != document_.source->container;
-        if (edited.empty() && !scene_is_edited(document_) && !converts) return write_unchanged();
+        if (edited.empty() && document_.assigned.empty() && !scene_is_edited(document_) &&
+            !converts)
+            return write_unchanged();
         auto source =
             with_container(*document_.source, container, path_.stem().string(), report_.warnings);
         if (!source) return failure("{}: {}", shown(path_), source.error().message);
@@ -119,9 +130,12 @@ class Saver {
                           .pixels = pixels_,
                           .gltf = gltf,
                           .images = images,
+                          .places = place_new_materials(materials_of(edited), gltf),
+                          .shown_without_uvs = shown_without_uvs(document_),
                           .size = options_.size,
                           .progress = progress_,
                           .warnings = {}};
+        give_parts_their_materials(document_, save.places, gltf);
         for (std::size_t i = 0; i < edited.size(); ++i) {
             progress_.set_stage(
                 fmt::format("Baking {}", quoted_for_message(edited[i].now->name, 60)));

@@ -62,12 +62,6 @@ bool some_primitive_lacks(const Json& meshes, const std::set<int>& shown,
     return found;
 }
 
-void assign_to_bare_primitives(Json& meshes, int material) {
-    for_each_primitive(meshes, [&](Json& primitive) {
-        if (!primitive.contains("material")) primitive["material"] = material;
-    });
-}
-
 void share_out(Json& meshes, int material, int stand_in, const std::set<int>& uv_sets) {
     for_each_primitive(meshes, [&](Json& primitive) {
         const int wanted = lacks(primitive, uv_sets) ? stand_in : material;

@@ -18,9 +18,6 @@ int find_stand_in(const Json& materials, MaterialId id);
 bool some_primitive_lacks(const Json& meshes, const std::set<int>& shown,
                           const std::set<int>& uv_sets);
 
-/// Gives primitives without any material this one.
-void assign_to_bare_primitives(Json& meshes, int material);
-
 /// Of the primitives, and of their variants, that show `material` or `stand_in`: gives `stand_in`
 /// to those that lack one of the UV sets, and `material` to the others.
 void share_out(Json& meshes, int material, int stand_in, const std::set<int>& uv_sets);

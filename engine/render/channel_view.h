@@ -36,8 +36,9 @@ enum class ChannelView {
     DistributionTerm,
     FresnelTerm,
     GeometryTerm,
+    UvChecker,
 };
-inline constexpr int kChannelViewCount = 24;
+inline constexpr int kChannelViewCount = 25;
 /// The first ten have the keys 0 to 9 and stand in the strip.
 inline constexpr int kStripChannelCount = 10;
 
@@ -121,6 +122,9 @@ inline constexpr std::array<ChannelViewInfo, kChannelViewCount> kChannelViews = 
      ChannelOrigin::Lighting, "Fresnel reflectance, for the key light."},
     {ChannelView::GeometryTerm, "term-g", "G", "lighting", 1, "", ChannelDisplay::Scalar,
      ChannelOrigin::Lighting, "Masking and shadowing of facets, for the key light."},
+    {ChannelView::UvChecker, "uv-checker", "UV checker", "inspection", 3, "", ChannelDisplay::Color,
+     ChannelOrigin::Inspection,
+     "Squares of 1/8 of UV 0: stretched, turned or mirrored where the mapping is."},
 }};
 
 constexpr const ChannelViewInfo& info(ChannelView view) {

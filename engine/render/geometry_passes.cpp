@@ -8,8 +8,6 @@
 namespace patina::render {
 namespace {
 
-constexpr std::string_view kSurfaceVertexFile = "passes/surface.vert";
-
 bool belongs(const GpuMaterial& material, SurfaceSet surfaces) {
     const bool blended = material.surface.alpha_mode == AlphaMode::Blend;
     return surfaces == SurfaceSet::All || blended == (surfaces == SurfaceSet::Blended);
@@ -115,6 +113,8 @@ std::optional<Inspected> inspected_for(ChannelView channel) {
             return Inspected::Uv0;
         case ChannelView::Uv1:
             return Inspected::Uv1;
+        case ChannelView::UvChecker:
+            return Inspected::UvChecker;
         default:
             return std::nullopt;
     }

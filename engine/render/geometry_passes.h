@@ -10,6 +10,9 @@
 
 namespace patina::render {
 
+/// The vertices of a mesh, for every program that draws surfaces.
+inline constexpr std::string_view kSurfaceVertexFile = "passes/surface.vert";
+
 /// The camera of a frame, ready for the shaders.
 struct FrameCamera {
     glm::mat4 clip_from_world = glm::mat4(1.0f);
@@ -38,7 +41,7 @@ Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targ
                                       const std::optional<gl::Viewport>& only = std::nullopt);
 
 /// What the inspection pass writes, as passes/inspection.frag numbers it.
-enum class Inspected { Alpha, Tangent, GeometricNormal, Uv0, Uv1, Ids };
+enum class Inspected { Alpha, Tangent, GeometricNormal, Uv0, Uv1, Ids, UvChecker };
 /// What it has to write for a channel; nothing for those that it does not serve.
 std::optional<Inspected> inspected_for(ChannelView channel);
 Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,

@@ -6,6 +6,7 @@
 
 #include "composite/composite.h"
 #include "core/log.h"
+#include "document/parts.h"
 #include "gl/headless_context.h"
 
 namespace patina::render {
@@ -101,6 +102,7 @@ Result<Renderer> prepared(const Document& document, ImageProvider& images,
     if (!renderer) return renderer;
     if (!document.scene) return failure("the document has no scene to render");
     if (Status done = renderer->set_scene(document.scene); !done) return passed_on(done);
+    renderer->assign_materials(assigned_numbers(document));
     const auto bake_start = std::chrono::steady_clock::now();
     if (Status done = set_materials(*renderer, document, images, request, progress); !done)
         return passed_on(done);

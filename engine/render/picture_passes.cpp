@@ -10,9 +10,6 @@
 namespace patina::render {
 namespace {
 
-constexpr std::string_view kFullScreenVertexFile = "passes/full_screen.vert";
-constexpr gl::State kFullScreenState{.depth_test = gl::DepthTest::Off, .write_depth = false};
-
 // Texture units; 0 to 4 belong to materials, 8 to 11 to the environment and 12 to shadows.
 constexpr int kGBufferUnit = 0;
 constexpr int kDepthUnit = 5;

@@ -8,6 +8,10 @@
 
 namespace patina::render {
 
+/// One triangle over a whole target.
+inline constexpr std::string_view kFullScreenVertexFile = "passes/full_screen.vert";
+inline constexpr gl::State kFullScreenState{.depth_test = gl::DepthTest::Off, .write_depth = false};
+
 /// What a target holds, as passes/output.glsl numbers it.
 enum class OutputMode { Srgb, Display, Radiance };
 

@@ -7,6 +7,7 @@
 
 #include "render/accumulation.h"
 #include "render/renderer.h"
+#include "render/wires.h"
 
 namespace patina::render {
 namespace {
@@ -39,7 +40,7 @@ Status show_mean(RendererState& state, const Refinement& refinement, const gl::F
         !drawn)
         return drawn;
     state.shown = &state.refined;
-    return {};
+    return refinement.view.wires ? draw_wires(state, refinement.view, **picture) : Status{};
 }
 
 }  // namespace

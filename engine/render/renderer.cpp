@@ -4,6 +4,7 @@
 #include "core/files.h"
 #include "render/frame.h"
 #include "render/renderer_state.h"
+#include "render/wires.h"
 
 namespace patina::render {
 namespace {
@@ -88,6 +89,9 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       right(color_target("right", gl::Format::Rgba16F)),
       picture(color_target("picture", gl::Format::Rgba8)),
       smoothed(color_target("smoothed", gl::Format::Rgba8)),
+      wires({.label = "wires",
+             .colors = {{"wires", gl::Format::Rgba8}},
+             .depth = gl::Format::Depth32F}),
       strip(color_target("strip", gl::Format::Rgba8)),
       accumulation(color_target("accumulation", gl::Format::Rgba32F)),
       still(color_target("still", gl::Format::Rgba32F)),
@@ -131,6 +135,21 @@ Status Renderer::set_scene(const ScenePtr& scene) {
     return {};
 }
 
+void Renderer::assign_materials(const std::map<PartRef, int>& source_materials) {
+    if (!state_->scene) return;
+    const Scene& scene = *state_->scene->scene;
+    for (DrawItem& item : state_->scene->items) {
+        const MeshInstance& instance = scene.instances[static_cast<std::size_t>(item.instance)];
+        const Primitive& primitive = scene.meshes[static_cast<std::size_t>(instance.mesh)]
+                                         .primitives[static_cast<std::size_t>(item.primitive)];
+        const auto assigned = source_materials.find(primitive.source);
+        item.source_material =
+            assigned == source_materials.end() ? primitive.source_material : assigned->second;
+    }
+    // Cut-out materials cast other shadows.
+    state_->shadow_maps.stale = true;
+}
+
 Status Renderer::set_material(int source_material, const SurfaceMaterial& surface,
                               const std::optional<TexelRect>& changed) {
     state_->shadow_maps.stale = true;
@@ -169,6 +188,9 @@ Result<FrameStats> Renderer::draw(const View& view, PictureSize size) {
             return passed_on(done);
         state_->shown = &state_->smoothed;
     }
+    if (view.wires)
+        if (Status done = draw_wires(*state_, view, *state_->shown->get()); !done)
+            return passed_on(done);
     return frame_stats(*state_);
 }
 

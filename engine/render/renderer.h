@@ -11,6 +11,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -129,6 +130,9 @@ class Renderer {
 
     /// Uploads the meshes of a scene and forgets the one before. Materials are kept.
     Status set_scene(const ScenePtr& scene);
+    /// Draws these parts of the scene as if they had that source_material, and all others with
+    /// their own.
+    void assign_materials(const std::map<PartRef, int>& source_materials);
 
     /// How primitives with this Primitive::source_material look from now on. Only what differs from
     /// the surface set before is uploaded; mips are made on the CPU.

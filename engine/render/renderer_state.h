@@ -70,6 +70,7 @@ struct RendererState {
     SizedTarget right;
     SizedTarget picture;
     SizedTarget smoothed;
+    SizedTarget wires;
     SizedTarget strip;
     SizedTarget accumulation;
     SizedTarget still;       ///< a sampled still, averaged and in display light

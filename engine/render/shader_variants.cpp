@@ -15,7 +15,8 @@ Result<gl::Program*> ShaderVariants::program(const ShaderVariant& variant) {
                            .folders = {folder_},
                            .vertex_file = std::string(variant.vertex_file),
                            .fragment_file = std::string(variant.fragment_file),
-                           .defines = variant.constants});
+                           .defines = variant.constants,
+                           .geometry_file = std::string(variant.geometry_file)});
     if (!made) return passed_on(made);
     return &programs_.emplace(std::move(key), std::move(*made)).first->second;
 }

@@ -20,6 +20,7 @@ struct ShaderVariant {
     std::string_view vertex_file;
     std::string_view fragment_file;
     std::vector<gl::ShaderDefine> constants;
+    std::string_view geometry_file{};  ///< empty: none
 };
 
 class ShaderVariants {

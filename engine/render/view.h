@@ -86,6 +86,7 @@ struct View {
     float exposure_ev = 0.0f;  ///< radiance is multiplied by 2^EV
     ToneMap tone_map = ToneMap::PbrNeutral;
     AntiAliasing anti_aliasing = AntiAliasing::Fast;
+    bool wires = false;  ///< edges of the triangles over the picture of the window; not in stills
     bool operator==(const View&) const = default;
 };
 inline constexpr int kMaxLights = 16;

@@ -5,12 +5,20 @@
 /// have become triangles or are left out (with a warning) by the importer.
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
 namespace patina {
+
+/// Where a primitive stands in the glTF file: one part of the model, however many nodes show it.
+struct PartRef {
+    int mesh = -1;       ///< index in the file, -1: from no file
+    int primitive = -1;  ///< index within that mesh
+    auto operator<=>(const PartRef&) const = default;
+};
 
 /// One triangle list with one material. All filled attribute arrays are `positions.size()` long;
 /// an empty one is absent.
@@ -22,7 +30,8 @@ struct Primitive {
     std::vector<glm::vec4> colors;              ///< COLOR_0, linear, multiplies base colour
     std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise is the front
     int source_material = -1;            ///< index in the glTF file, -1 for none
-    bool generated_tangents = false;     ///< not from the file; corners may have been split
+    PartRef source;
+    bool generated_tangents = false;  ///< not from the file; corners may have been split
 };
 
 struct Mesh {

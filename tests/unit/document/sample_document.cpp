@@ -47,6 +47,7 @@ Material first_material() {
     Material material;
     material.id = MaterialId{1};
     material.name = "Bonnet";
+    material.source_material = 0;
     const LayerPtr inner = shared(group_of({shared(named(value_layer(), "Salt", 9))}, "Inner", 8));
     material.stack = {
         shared(named(image_layer(*sample_image()), "Imported textures", 3)),
@@ -60,10 +61,28 @@ Material second_material() {
     Material material;
     material.id = MaterialId{2};
     material.name = "Glass";
+    material.source_material = 1;
     material.resolution = 512;
     material.alpha_mode = AlphaMode::Blend;
     material.stack = {shared(named(value_layer(), "Fill", 11))};
     return material;
+}
+
+/// Two parts, one of each material.
+ScenePtr sample_scene() {
+    Mesh mesh{.name = "Helmet", .primitives = {}};
+    for (int i = 0; i < 2; ++i) {
+        Primitive part;
+        part.positions.assign(3, glm::vec3(0.0f));
+        part.indices = {0, 1, 2};
+        part.source_material = i;
+        part.source = {.mesh = 0, .primitive = i};
+        mesh.primitives.push_back(part);
+    }
+    Scene scene;
+    scene.meshes = {mesh};
+    scene.instances = {{.mesh = 0, .world_from_local = glm::mat4(1.0f), .name = "Helmet"}};
+    return std::make_shared<const Scene>(std::move(scene));
 }
 
 Preset small_preset(int layers) {
@@ -397,6 +416,16 @@ const std::vector<EditOf>& edits_of_materials() {
             return paste_layers(*t.material, copied_layers({t.layer, t.other_layer()}), t.place());
         },
         [](const Target& t) { return paste_layers(*t.material, "not layers", t.place()); },
+        [](const Target& t) { return add_material(t.name()); },
+        [](const Target& t) { return duplicate_material(*t.material); },
+        [](const Target& t) { return remove_material(*t.material); },
+        [](const Target& t) {
+            const Part part{.ref = {.mesh = 0, .primitive = t.choices.below(3)},
+                            .name = "Helmet",
+                            .material = nullptr,
+                            .material_of_file = nullptr};
+            return assign_material(*t.material, part);
+        },
     };
     return edits;
 }
@@ -440,6 +469,7 @@ Document sample_document() {
     document.materials = {std::make_shared<const Material>(first_material()),
                           std::make_shared<const Material>(second_material())};
     document.images[sample_image()->hash] = sample_image();
+    document.scene = sample_scene();
     document.lights = {Light{}};
     document.next_id = 12;
     return document;

@@ -10,7 +10,8 @@
 
 namespace patina::testing {
 
-/// Two materials with fills, a masked one, a group with a group in it, one image and one light.
+/// Two materials with fills, a masked one, a group with a group in it, one image, one light, and a
+/// mesh of two parts, each with one of the materials.
 Document sample_document();
 
 /// The image of sample_document.

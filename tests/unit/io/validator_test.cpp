@@ -8,6 +8,7 @@
 #include <set>
 
 #include "document/material_edits.h"
+#include "document/material_list_edits.h"
 #include "io/json_splice.h"
 #include "io/save_fixture.h"
 #include "support/gltf_validator.h"
@@ -64,6 +65,16 @@ Document with_transformed_images(const Document& document) {
     return with_material(document, 0, std::move(material));
 }
 
+/// The first material and a copy of it, which are drawn on the last part and the first.
+Document with_parts_exchanged(const Document& document) {
+    const std::vector<Part> parts = patina::parts_of(document);
+    Document after = with(document, assign_material(material_at(document, 0), parts.back()));
+    after = with(after, duplicate_material(material_at(document, 0)));
+    for (const MaterialPtr& material : after.materials)
+        if (is_added(*material)) return with(after, assign_material(*material, parts.front()));
+    return after;
+}
+
 TEST_F(Validator, FindsNoErrorInAnOutputThatItDoesNotFindInTheInput) {
     const auto models = asset_models();
     SKIP_WITHOUT(models);
@@ -81,6 +92,7 @@ TEST_F(Validator, FindsNoErrorInAnOutputThatItDoesNotFindInTheInput) {
             {"settings", with_settings(opened)},
             {"unlit", with(opened, set_material_unlit(material_at(opened, 0), true))},
             {"transformed", with_transformed_images(opened)},
+            {"parts", with_parts_exchanged(opened)},
         };
         for (const auto& [name, edited] : edits)
             for (const char* extension : {".glb", ".gltf"}) {

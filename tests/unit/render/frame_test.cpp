@@ -123,6 +123,42 @@ TEST_F(FrameTest, ABlendedSurfaceMixesItsLightWithTheBackground) {
     EXPECT_NEAR(middle(ChannelView::BaseColor).x, 1.0f, 0.005f) << "the nearest surface";
 }
 
+TEST_F(FrameTest, WiresLieOnTheModelAndOnNothingElse) {
+    show(scene_of(shape_mesh(Shape::Plane)));
+    view_.camera = framed(renderer().bounds_world(), 1.0f, ViewDirection::ThreeQuarter);
+    view_.anti_aliasing = AntiAliasing::None;
+    const Image bare = picture(view_);
+    view_.wires = true;
+    const Image wired = picture(view_);
+    const Image depth = channel(ChannelView::Depth);
+    int changed = 0;
+    int changed_beside = 0;
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x) {
+            const auto at =
+                static_cast<std::size_t>(y) * bare.row_bytes() + static_cast<std::size_t>(4 * x);
+            if (std::memcmp(bare.data.data() + at, wired.data.data() + at, 4) == 0) continue;
+            ++changed;
+            if (pixel_of(depth, x, y).a == 0.0f) ++changed_beside;
+        }
+    EXPECT_GT(changed, 32) << "the plane's edges cross the picture";
+    EXPECT_LT(changed, kSize.width * kSize.height / 2) << "and leave its middle alone";
+    EXPECT_EQ(changed_beside, 0);
+    View plain = view_;
+    plain.wires = false;
+    EXPECT_EQ(value_of(renderer().still_srgb(view_, kSize, 1)),
+              value_of(renderer().still_srgb(plain, kSize, 1)))
+        << "stills have none";
+}
+
+TEST_F(FrameTest, WiresAreTheSameOnBothViews) {
+    view_.compare = CompareMode::TwoViews;
+    view_.right = view_.left;
+    view_.wires = true;
+    const Image both = picture(view_);
+    expect_same_columns(both, both, kSize.width / 2, kSize.width, kSize.width / 2);
+}
+
 TEST_F(FrameTest, BlendedSurfacesAreDrawnFromTheFarthest) {
     auto scene = std::make_shared<Scene>(*scene_of(shape_mesh(Shape::Sphere)));
     scene->meshes.push_back(scene->meshes[0]);

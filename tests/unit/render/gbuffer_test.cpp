@@ -252,6 +252,19 @@ TEST_F(GBufferTest, TheProbeSaysWhatTheChannelsShow) {
     EXPECT_FALSE(value_of(renderer().probe({-1, 900}))) << "outside the picture";
 }
 
+TEST_F(GBufferTest, AnAssignedPartIsDrawnWithAnotherMaterialUntilItIsNot) {
+    auto scene = std::make_shared<Scene>(*scene_of(shape_mesh(Shape::Sphere)));
+    const PartRef part{.mesh = 3, .primitive = 0};
+    scene->meshes[0].primitives[0].source = part;
+    show(scene);
+    ASSERT_TRUE(renderer().set_material(0, constant_surface({1.0f, 0.0f, 0.0f}, 0.0f, 0.5f)));
+    ASSERT_TRUE(renderer().set_material(9, constant_surface({0.0f, 1.0f, 0.0f}, 0.0f, 0.5f)));
+    renderer().assign_materials({{part, 9}});
+    EXPECT_EQ(pixel_of(channel(ChannelView::BaseColor), 32, 32).y, 1.0f);
+    renderer().assign_materials({});
+    EXPECT_EQ(pixel_of(channel(ChannelView::BaseColor), 32, 32).x, 1.0f);
+}
+
 TEST_F(GBufferTest, APickNamesInstancePrimitiveAndMaterial) {
     auto scene = std::make_shared<Scene>(*scene_of(shape_mesh(Shape::Sphere)));
     scene->meshes[0].primitives[0].source_material = 7;
