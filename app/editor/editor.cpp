@@ -89,7 +89,7 @@ Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState
     requests.append(layout.histogram ? draw_difference_panel(ui, layout.strip, shown, view)
                                      : draw_channel_strip(ui, layout.strip, shown, view));
     requests.append(draw_shelf(ui, layout.shelf, shown, view));
-    requests.append(carry_shelf_drag(ui, layout.viewport, layout.layers, shown, view));
+    requests.append(carry_to_model(ui, layout.viewport, layout.layers, shown, view));
     requests.append(draw_status_bar(ui, layout.status_bar, shown, view));
     return requests;
 }
@@ -107,7 +107,7 @@ void take_keys(Ui& ui, Workspace& workspace, const Shown& shown) {
     if (view.view.compare == render::CompareMode::Split && !ui.focus.arrows_taken())
         view.view.divider = std::clamp(
             view.view.divider + 0.01f * static_cast<float>(pressed_divider_step()), 0.0f, 1.0f);
-    if (pressed_escape() && !view.layer_drag.moving && !view.shelf_drag.moving) {
+    if (pressed_escape() && !view.layer_drag.moving && !view.drag_to_model.moving) {
         ui.focus.leave();
         view.tool = ViewportTool::Move;
         view.crosshair.reset();

@@ -51,6 +51,7 @@ constexpr std::array kBindings = {
     Binding{GLFW_KEY_F, false, false, false, Action::FrameModel},
     Binding{GLFW_KEY_I, false, false, false, Action::ProbeTool},
     Binding{GLFW_KEY_U, false, false, false, Action::ShowUv},
+    Binding{GLFW_KEY_W, false, false, false, Action::ShowWires},
     Binding{GLFW_KEY_F10, false, false, false, Action::HidePanels},
     Binding{GLFW_KEY_F1, false, false, false, Action::Keys},
     Binding{GLFW_KEY_EQUAL, true, false, false, Action::LargerInterface},

@@ -29,6 +29,7 @@ void Workspace::carry_out_one(const Request& request) {
         if (found != session_->document().images.end())
             add_layer_and_select(image_layer(*found->second));
     }
+    if (const auto* assign = std::get_if<AssignMaterialAt>(&request)) assign_material_at(*assign);
     if (const auto* pick = std::get_if<PickAt>(&request)) {
         const glm::vec2 at(pick->x, pick->y);
         if (pick->explain) {
@@ -42,6 +43,27 @@ void Workspace::carry_out_one(const Request& request) {
             }
         }
     }
+}
+
+void Workspace::assign_material_at(const AssignMaterialAt& request) {
+    const Document& document = session_->document();
+    const MaterialPtr material = find_material(document, request.material);
+    const auto hit = session_->pick(glm::vec2(request.x, request.y));
+    if (!material || !hit) return;
+    const MeshInstance& instance =
+        document.scene->instances[static_cast<std::size_t>(hit->instance)];
+    const PartRef ref = document.scene->meshes[static_cast<std::size_t>(instance.mesh)]
+                            .primitives[static_cast<std::size_t>(hit->primitive)]
+                            .source;
+    for (const Part& part : parts_of(document)) {
+        if (part.ref != ref || part.material == material) continue;
+        session_->history().seal();
+        if (session_->apply(assign_material(*material, part)))
+            session_->toast(ToastKind::Done,
+                            fmt::format("{} assigned to {}", material->name, part.name), "Undo",
+                            Action::Undo);
+    }
+    view_.material = material->id;
 }
 
 void Workspace::perform(Action action) {

@@ -58,6 +58,8 @@ class Workspace {
     void perform_layer(Action action);
     void perform_view(Action action);
     void add_layer_and_select(const Layer& layer);
+    void add_material_and_select(const Edit& edit);
+    void assign_material_at(const AssignMaterialAt& request);
     void edit_and_select_new(const Edit& edit);
     void select_neighbour(int step);
     void move_selected(int step);

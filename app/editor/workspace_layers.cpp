@@ -61,6 +61,16 @@ void Workspace::add_layer_and_select(const Layer& layer) {
     session_->history().seal();
 }
 
+/// What is made is what is named and worked on next.
+void Workspace::add_material_and_select(const Edit& edit) {
+    const MaterialId id{session_->document().next_id};
+    session_->history().seal();
+    if (!session_->apply(edit)) return;
+    view_.material = id;
+    view_.layer = {};
+    view_.renaming_material = id;
+}
+
 /// What an edit made (a copy, a group, what was pasted) is what the next one is about.
 void Workspace::edit_and_select_new(const Edit& edit) {
     const MaterialPtr before = session_->selected_material(view_);
@@ -128,6 +138,13 @@ void Workspace::perform_layer(Action action) {
         case Action::AddImageLayer:
             ask_image([this](const ImageAssetPtr& image) { add_image_layer(image); });
             return;
+        case Action::AddMaterial:
+            return add_material_and_select(
+                add_material(free_material_name(session_->document(), "Material")));
+        case Action::DuplicateMaterial:
+            return add_material_and_select(duplicate_material(*material));
+        case Action::DeleteMaterial:
+            return edit(remove_material(*material));
         case Action::RenameMaterial:
             view_.renaming_material = material->id;
             return;

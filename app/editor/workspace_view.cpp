@@ -67,8 +67,12 @@ void Workspace::perform_view(Action action) {
             view_.unfolded.lights = true;
             return;
         case Action::ShowUv:
-            view.channel = view.channel == render::ChannelView::Uv0 ? render::ChannelView::Final
-                                                                    : render::ChannelView::Uv0;
+            view.channel = view.channel == render::ChannelView::UvChecker
+                               ? render::ChannelView::Final
+                               : render::ChannelView::UvChecker;
+            return;
+        case Action::ShowWires:
+            view.wires = !view.wires;
             return;
         case Action::HidePanels:
             view_.panels_hidden = !view_.panels_hidden;

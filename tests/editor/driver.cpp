@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <glm/glm.hpp>
 #include <sstream>
 
 namespace patina::editor_tests {
@@ -338,6 +339,21 @@ bool Editor::drag(const std::string& place, const std::string& label, const std:
     run_tool({"xdotool", "mousedown", "1"}, display_);
     for (int step = 1; step <= 8; ++step)
         point_at(at(from_share + (to_share - from_share) * step / 8.0), y);
+    run_tool({"xdotool", "mouseup", "1"}, display_);
+    return true;
+}
+
+bool Editor::drag_to(const Control& from, const Control& to) const {
+    const auto middle = [](const Control& control) {
+        return glm::ivec2(control.x + control.width / 2, control.y + control.height / 2);
+    };
+    const glm::ivec2 start = middle(from);
+    if (!settle_at(start.x, start.y)) return false;
+    run_tool({"xdotool", "mousedown", "1"}, display_);
+    for (int step = 1; step <= 8; ++step) {
+        const glm::ivec2 at = start + (middle(to) - start) * step / 8;
+        point_at(at.x, at.y);
+    }
     run_tool({"xdotool", "mouseup", "1"}, display_);
     return true;
 }

@@ -95,6 +95,8 @@ class Editor {
                    const std::string& kind) const;
     bool drag(const std::string& place, const std::string& label, const std::string& kind,
               double from_share, double to_share) const;
+    /// From the middle of one control to the middle of another.
+    bool drag_to(const Control& from, const Control& to) const;
     void key(const std::string& keys) const;
     /// Drops a file from another program in the middle of a control.
     bool drop(const std::filesystem::path& file, const std::string& place, const std::string& label,

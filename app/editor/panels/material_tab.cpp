@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/edits.h"
+#include "document/stack_tree.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
@@ -37,7 +38,8 @@ void draw_head(Ui& ui, Rect& rest, const Material& material, const Shown& shown)
     text(ui, words.cut_top(ui.px(18)), ui.fonts.name15, theme::kText, material.name);
     words.cut_top(ui.px(2));
     text(ui, words, ui.fonts.caption11, theme::kText3,
-         fmt::format("{} \u00b7 {} px", counted(material.stack.size(), "layer"),
+         fmt::format("{} \u00b7 {} px",
+                     counted(static_cast<std::size_t>(layer_count(material.stack)), "layer"),
                      material.resolution));
 }
 
@@ -211,6 +213,7 @@ Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     const float top = rest.y0;
     draw_head(ui, rest, *shown.material, shown);
     requests.append(draw_surface(ui, rest, *shown.material, view));
+    requests.append(draw_material_parts(ui, rest, shown, view));
     requests.append(draw_environment(ui, rest, *shown.document, view));
     requests.append(draw_lights(ui, rest, *shown.document, view));
     draw_terms(ui, rest, view);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "document/edits.h"
+#include "document/stack_tree.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/name_search.h"
@@ -14,25 +15,26 @@
 namespace patina::editor {
 namespace {
 
-std::size_t layer_count(const std::vector<LayerPtr>& layers) {
-    std::size_t count = 0;
-    for (const LayerPtr& layer : layers) {
-        ++count;
-        if (const auto* group = std::get_if<GroupContent>(&layer->content))
-            count += layer_count(group->children);
-    }
-    return count;
+/// How many parts of the model are drawn with the material.
+std::size_t part_count(const std::vector<Part>& parts, const MaterialPtr& material) {
+    return static_cast<std::size_t>(std::count_if(
+        parts.begin(), parts.end(), [&](const Part& part) { return part.material == material; }));
 }
 
-/// How many primitives of the scene are drawn with the material.
-std::size_t part_count(const Document& document, const Material& material) {
-    std::size_t count = 0;
-    if (!document.scene) return 0;
-    for (const MeshInstance& instance : document.scene->instances)
-        for (const Primitive& primitive :
-             document.scene->meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-            count += primitive.source_material == material.source_material.value_or(-1) ? 1 : 0;
-    return count;
+Requests draw_menu(Ui& ui, const Shown& shown) {
+    Requests requests;
+    PopupMenu menu(ui, "materials menu");
+    if (!menu.open()) return requests;
+    for (const Action action : {Action::AddMaterial, Action::DuplicateMaterial,
+                                Action::RenameMaterial, Action::DeleteMaterial, Action::ClearStack})
+        if (menu.item({.icon = info(action).icon,
+                       .label = info(action).label,
+                       .enabled = applies(action, shown),
+                       .tooltip = action == Action::DeleteMaterial
+                                      ? "Materials of the file stay in it"
+                                      : ""}))
+            requests.ask(action);
+    return requests;
 }
 
 std::optional<std::string> renamed(Ui& ui, const Rect& rect, const Material& material,
@@ -46,18 +48,23 @@ std::optional<std::string> renamed(Ui& ui, const Rect& rect, const Material& mat
     return words;
 }
 
-Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, const Shown& shown,
-                  ViewState& view) {
+Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, std::size_t part_count,
+                  const Shown& shown, ViewState& view) {
     Requests requests;
     const Place place(ui, material->name, material->id.value);
     const bool selected = view.material == material->id;
+    const Tip tip{material->name, "Drag it onto a part of the model to draw that with it"};
     const Press pressed = press(
-        ui, rect, {.label = material->name, .kind = "row", .value = selected ? "selected" : ""});
+        ui, rect,
+        {.label = material->name, .kind = "row", .value = selected ? "selected" : "", .tip = &tip});
     row_tint(ui, rect, selected, pressed.hovered);
-    if (pressed.clicked && !selected) {
+    const bool clicked = clicked_or_dragged(ui, pressed, {.what = material->id}, view);
+    if ((clicked || pressed.right_clicked) && !selected) {
         view.material = material->id;
         view.layer = {};
     }
+    if (pressed.right_clicked) ImGui::OpenPopup("materials menu");
+    requests.append(draw_menu(ui, shown));
     if (pressed.double_clicked) view.renaming_material = material->id;
     Rect rest = rect.inset(ui.px(10), 0);
     const Rect ball = rest.cut_left(ui.px(30)).centered(ui.px(30), ui.px(30));
@@ -66,7 +73,7 @@ Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, const S
     picture(ui, ball, thumbnail);
     rest.cut_left(ui.px(10));
     const ImU32 quiet = selected || pressed.hovered ? theme::kText2 : theme::kText3;
-    const std::string parts = counted(part_count(*shown.document, *material), "part");
+    const std::string parts = counted(part_count, "part");
     const Rect right = rest.cut_right(text_width(ui.fonts.caption11, parts) + 1);
     text(ui, right, ui.fonts.caption11, quiet, parts, Align::Right);
     rest.cut_right(ui.px(8));
@@ -78,20 +85,9 @@ Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, const S
         text(ui, name_line, selected ? ui.fonts.medium13 : ui.fonts.body13, theme::kText,
              material->name);
     text(ui, lines, ui.fonts.caption11, quiet,
-         fmt::format("{} \u00b7 {} px", counted(layer_count(material->stack), "layer"),
+         fmt::format("{} \u00b7 {} px",
+                     counted(static_cast<std::size_t>(layer_count(material->stack)), "layer"),
                      material->resolution));
-    return requests;
-}
-
-Requests draw_menu(Ui& ui, const Shown& shown) {
-    Requests requests;
-    PopupMenu menu(ui, "materials menu");
-    if (!menu.open()) return requests;
-    for (const Action action : {Action::RenameMaterial, Action::ClearStack})
-        if (menu.item({.icon = info(action).icon,
-                       .label = info(action).label,
-                       .enabled = applies(action, shown)}))
-            requests.ask(action);
     return requests;
 }
 
@@ -112,6 +108,13 @@ Requests draw_materials_panel(Ui& ui, const Rect& rect, const Shown& shown, View
         ImGui::OpenPopup("materials menu");
     place_popup(more, 0);
     requests.append(draw_menu(ui, shown));
+    if (icon_button(ui, title.cut_right(ui.px(26)),
+                    {.icon = icon::kPlus,
+                     .label = "Add material",
+                     .tooltip = "Without layers yet; drag it onto a part of the model",
+                     .enabled = applies(Action::AddMaterial, shown)}))
+        requests.ask(Action::AddMaterial);
+    title.cut_right(ui.px(2));
     if (count > 0)
         search_toggle(ui, title.cut_right(ui.px(26)), "Search materials", view.material_search);
     if (!shown.document) {
@@ -125,9 +128,10 @@ Requests draw_materials_panel(Ui& ui, const Rect& rect, const Shown& shown, View
     Rect row = area.content();
     row.y1 = row.y0 + ui.px(theme::kMaterialRow);
     float height = 0.0f;
+    const std::vector<Part> parts = parts_of(*shown.document);
     for (const MaterialPtr& material : shown.document->materials) {
         if (view.material_search && !name_matches(material->name, *view.material_search)) continue;
-        requests.append(draw_row(ui, row, material, shown, view));
+        requests.append(draw_row(ui, row, material, part_count(parts, material), shown, view));
         row = row.moved(0, row.height());
         height += row.height();
     }

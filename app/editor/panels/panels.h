@@ -24,9 +24,12 @@ Requests draw_difference_panel(Ui& ui, const Rect& rect, const Shown& shown, Vie
 void draw_difference_plot(Ui& ui, const Rect& rect, const render::DifferenceStats& stats,
                           float range);
 Requests draw_shelf(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
-/// Carries what is dragged from the shelf: its ghost, and the drop on the model or the layer list.
-Requests carry_shelf_drag(Ui& ui, const Rect& viewport, const Rect& layers, const Shown& shown,
-                          ViewState& view);
+/// Follows a card or row that can be dragged to the model. True when it was clicked, and neither
+/// dragged away nor dropped again.
+bool clicked_or_dragged(const Ui& ui, const Press& pressed, DragToModel dragged, ViewState& view);
+/// Carries what is dragged there: its ghost, and the drop on the model or the layer list.
+Requests carry_to_model(Ui& ui, const Rect& viewport, const Rect& layers, const Shown& shown,
+                        ViewState& view);
 Requests draw_status_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 
 /// The right side: its tabs and the chosen one, but for the layers of a narrow window.
@@ -34,6 +37,8 @@ Requests draw_properties(Ui& ui, const Rect& rect, bool narrow, const Shown& sho
                          ViewState& view);
 Requests draw_layer_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+/// A section of it: which parts of the model are drawn with the material.
+Requests draw_material_parts(Ui& ui, Rect& rest, const Shown& shown, ViewState& view);
 Requests draw_explain_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 

@@ -128,13 +128,6 @@ class CardGrid {
     int count_ = 0;
 };
 
-/// Whether the card was clicked, and not dragged away or dropped again.
-bool clicked_or_dragged(const Ui& ui, const Press& pressed, ShelfDrag dragged, ViewState& view) {
-    if (pressed.started) view.shelf_drag = std::move(dragged);
-    if (pressed.held && drag_has_begun(ui)) view.shelf_drag.moving = true;
-    return pressed.clicked && !view.shelf_drag.moving;
-}
-
 bool shown_here(const Preset& preset, const ViewState& view) {
     if (view.favourites_alone && !view.favourites.contains(preset.id)) return false;
     if (!view.shelf_category.empty() && preset.category != view.shelf_category) return false;

@@ -244,6 +244,7 @@ void Session::show_materials(const ViewState& view) {
         if (material->id == view.material && (view.viewed_mask.value != 0 || view.solo.value != 0))
             material = part_of(material, view);
     live_.show(std::move(materials), images_, view.material);
+    picture_.assign_materials(assigned_numbers(*history_->document()));
 }
 
 /// Numbers about what is compared, when someone looks at them and nothing moves.

@@ -26,6 +26,7 @@ render::View strip_view_of(const render::View& view) {
     strip.divider = 0.5f;
     strip.right = {};
     strip.difference_range = 1.0f;
+    strip.wires = false;
     return strip;
 }
 
@@ -40,6 +41,14 @@ Result<ViewportPicture> ViewportPicture::create() {
 void ViewportPicture::set_scene(const ScenePtr& scene) {
     renderer_.clear_materials();
     if (const Status set = renderer_.set_scene(scene); !set) report(set.error());
+    assigned_.clear();
+    scene_changed_ = true;
+}
+
+void ViewportPicture::assign_materials(std::map<PartRef, int> numbers) {
+    if (numbers == assigned_) return;
+    assigned_ = std::move(numbers);
+    renderer_.assign_materials(assigned_);
     scene_changed_ = true;
 }
 

@@ -22,6 +22,8 @@ class ViewportPicture {
     void set_materials(const std::vector<LiveMaterials::Changed>& changed);
     void set_environment(const render::FilteredEnvironment& environment);
 
+    /// Parts that are drawn as if they had these numbers (Primitive::source_material).
+    void assign_materials(std::map<PartRef, int> numbers);
     /// Draws what is out of date. While `moving` a slow picture is drawn at half its size and the
     /// strip is left for later. True when something was drawn.
     bool draw(const render::View& view, render::PictureSize size, render::PictureSize card,
@@ -61,6 +63,7 @@ class ViewportPicture {
     explicit ViewportPicture(render::Renderer renderer) : renderer_(std::move(renderer)) {}
 
     render::Renderer renderer_;
+    std::map<PartRef, int> assigned_;
     std::optional<render::View> drawn_;
     std::optional<render::View> strip_view_;
     render::PictureSize drawn_size_;

@@ -49,8 +49,11 @@ constexpr std::array kActions = {
     ActionInfo{Action::ViewMask, Menu::Layer, nullptr, "View mask", "Alt-click mask", Mask},
     ActionInfo{Action::ClearMask, Menu::Layer, nullptr, "Remove mask", "", Mask},
 
+    ActionInfo{Action::AddMaterial, Menu::Material, icon::kPlus, "Add material", "", Needs::Document},
+    ActionInfo{Action::DuplicateMaterial, Menu::Material, icon::kClone, "Duplicate material", "", Needs::Material},
     ActionInfo{Action::RenameMaterial, Menu::Material, icon::kPencil, "Rename material", "", Needs::Material},
-    ActionInfo{Action::ClearStack, Menu::Material, icon::kTrash, "Remove all layers", "", Needs::Material},
+    ActionInfo{Action::DeleteMaterial, Menu::Material, icon::kTrash, "Delete added material", "", AddedMaterial},
+    ActionInfo{Action::ClearStack, Menu::Material, nullptr, "Remove all layers", "", Needs::Material, true},
 
     ActionInfo{Action::ViewSingle, Menu::View, nullptr, "Single view", "", Nothing},
     ActionInfo{Action::ViewSplit, Menu::View, nullptr, "Split view", "", Nothing},
@@ -67,7 +70,8 @@ constexpr std::array kActions = {
     ActionInfo{Action::DarkerExposure, Menu::View, nullptr, "Darker by 1/3 EV", "[", Nothing},
     ActionInfo{Action::FrameModel, Menu::View, icon::kFrame, "Frame the model", "F", Needs::Document, true},
     ActionInfo{Action::ProbeTool, Menu::View, icon::kEyedropper, "Read and explain a texel", "I", Needs::Document},
-    ActionInfo{Action::ShowUv, Menu::View, icon::kGrid, "UV coordinates", "U", Needs::Document},
+    ActionInfo{Action::ShowUv, Menu::View, icon::kGrid, "UV checker", "U", Needs::Document},
+    ActionInfo{Action::ShowWires, Menu::View, nullptr, "Wires", "W", Needs::Document},
     ActionInfo{Action::ShowLights, Menu::View, icon::kSun, "Lights", "", Needs::Document},
     ActionInfo{Action::SaveView, Menu::View, icon::kCamera, "Save the view as PNG\u2026", "", Needs::Document},
     ActionInfo{Action::HidePanels, Menu::View, nullptr, "Hide or show panels", "F10", Nothing, true},

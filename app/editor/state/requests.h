@@ -39,6 +39,12 @@ struct TurnKnobs {
 struct AddImageAsLayer {
     Hash128 image;
 };
+/// Draws the part under a point of the viewport with a material.
+struct AssignMaterialAt {
+    MaterialId material;
+    float x = 0.0f;  ///< in shares of the picture
+    float y = 0.0f;
+};
 struct JumpToStep {
     int position = 0;
 };
@@ -64,8 +70,9 @@ struct PickAt {
     bool explain = false;  ///< keep it under the crosshair
 };
 
-using Request = std::variant<Action, TakeFile, ApplyPreset, TurnKnobs, AddImageAsLayer, JumpToStep,
-                             CancelJob, DismissToast, HoldToast, ChooseImageFor, PickAt>;
+using Request =
+    std::variant<Action, TakeFile, ApplyPreset, TurnKnobs, AddImageAsLayer, AssignMaterialAt,
+                 JumpToStep, CancelJob, DismissToast, HoldToast, ChooseImageFor, PickAt>;
 
 struct Requests {
     Edits edits;

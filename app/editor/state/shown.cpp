@@ -11,6 +11,8 @@ bool applies(Action action, const Shown& shown) {
             return shown.document != nullptr;
         case Needs::Material:
             return shown.material != nullptr;
+        case Needs::AddedMaterial:
+            return shown.material != nullptr && is_added(*shown.material);
         case Needs::Layer:
             return shown.layer != nullptr;
         case Needs::Group:

@@ -41,6 +41,7 @@ struct Unfolded {
     bool lights = true;
     bool environment = true;
     bool surface = true;
+    bool parts = false;
     bool cost = true;
     bool crosshair = true;
     bool difference = true;
@@ -60,9 +61,10 @@ struct LayerDrag {
     double over_since = 0.0;  ///< when it came under the pointer, in seconds
 };
 
-/// A preset or image of the shelf under way to the model or the layer list.
-struct ShelfDrag {
-    std::variant<std::monostate, std::string, Hash128> what;  ///< preset id or image
+/// A preset or image of the shelf under way to the model or the layer list, or a material on its
+/// way to a part of the model.
+struct DragToModel {
+    std::variant<std::monostate, std::string, Hash128, MaterialId> what;  ///< text: a preset's id
     bool moving = false;  ///< the pointer has left the 4 px around where it went down
 };
 
@@ -88,7 +90,7 @@ struct ViewState {
     std::optional<std::string> layer_search;
     std::optional<std::string> material_search;
     LayerDrag layer_drag;
-    ShelfDrag shelf_drag;
+    DragToModel drag_to_model;
     LayerId renaming_layer;
     MaterialId renaming_material;
     /// The pixel of the viewport that is explained, in shares of the picture; unset: none.

@@ -68,14 +68,14 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
                 .enabled = open,
                 .on = probing}))
         requests.ask(Action::ProbeTool);
-    const bool uv = view.view.channel == render::ChannelView::Uv0;
+    const bool uv = view.view.channel == render::ChannelView::UvChecker;
     if (button({.icon = icon::kGrid,
-                .label = "UV coordinates",
-                .tooltip = "Shows the first texture coordinates on the model",
+                .label = "UV checker",
+                .tooltip = "Shows how the first texture coordinates lie on the model",
                 .key = "U",
                 .enabled = open,
                 .on = uv}))
-        view.view.channel = uv ? render::ChannelView::Final : render::ChannelView::Uv0;
+        view.view.channel = uv ? render::ChannelView::Final : render::ChannelView::UvChecker;
     if (button({.icon = icon::kSun,
                 .label = "Lights",
                 .tooltip = "Opens the lights in the Material tab",
