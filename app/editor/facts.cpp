@@ -19,6 +19,9 @@ void state_view(UiMap& map, const ViewState& view) {
     map.set_fact("compare", render::kCompareModes[static_cast<std::size_t>(picture.compare)].id);
     map.set_fact("left", render::kShadingModels[static_cast<std::size_t>(picture.left.model)].id);
     map.set_fact("right", render::kShadingModels[static_cast<std::size_t>(picture.right.model)].id);
+    map.set_fact("left path", render::kRenderPaths[static_cast<std::size_t>(picture.left.path)].id);
+    map.set_fact("right path",
+                 render::kRenderPaths[static_cast<std::size_t>(picture.right.path)].id);
     map.set_fact("divider", fmt::format("{:.3f}", picture.divider));
 }
 

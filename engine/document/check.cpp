@@ -258,7 +258,11 @@ Status check_light(const Light& light) {
                        check_color(Parameter::LightDirection, light.direction_world),
                        check_range(Parameter::LightRange, light.range),
                        check_range(Parameter::LightInnerCone, light.inner_cone_radians),
-                       check_range(Parameter::LightOuterCone, light.outer_cone_radians)});
+                       check_range(Parameter::LightOuterCone, light.outer_cone_radians),
+                       check_range(Parameter::LightRadius, light.radius_m),
+                       check_range(Parameter::LightWidth, light.width_m),
+                       check_range(Parameter::LightHeight, light.height_m),
+                       check_range(Parameter::LightTurn, light.turn_radians)});
     if (!ranges) return ranges;
     if (glm::length(light.direction_world) < 1e-6f)
         return failure("the direction of a light cannot have length 0");

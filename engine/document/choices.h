@@ -86,8 +86,9 @@ inline constexpr std::array kAdjustmentKinds = {
     Choice{"sharpen", "Sharpen"},
     Choice{"warp", "Warp"},
 };
-inline constexpr std::array kLightKinds = {Choice{"directional", "Directional"},
-                                           Choice{"point", "Point"}, Choice{"spot", "Spot"}};
+inline constexpr std::array kLightKinds = {
+    Choice{"directional", "Directional"}, Choice{"point", "Point"}, Choice{"spot", "Spot"},
+    Choice{"sphere", "Sphere"}, Choice{"rectangle", "Rectangle"}};
 inline constexpr std::array kSampleTypes = {Choice{"u8", "8 bit"}, Choice{"u16", "16 bit"},
                                             Choice{"f32", "32 bit float"}};
 

@@ -220,13 +220,13 @@ constexpr std::array kParameters = {
         .tooltip = "Multiplies the light of the surroundings, 0 to 100."},
 
     ParameterInfo{.parameter = Parameter::LightKind, .subject = Subject::Light, .id = "kind", .label = "Kind", .kind = ParameterKind::Choice, .choices = kLightKinds,
-        .tooltip = "Directional: from far away, like the sun. Point: all around. Spot: a cone."},
+        .tooltip = "Directional: far away, like the sun. Spot: a cone. Sphere, rectangle: lamps of some size."},
     ParameterInfo{.parameter = Parameter::LightColor, .subject = Subject::Light, .id = "color", .label = "Colour", .kind = Color, .standard = 1.0,
         .tooltip = "Linear light, each component 0 to 1."},
     ParameterInfo{.parameter = Parameter::LightIntensity, .subject = Subject::Light, .id = "intensity", .label = "Intensity", .kind = Number, .maximum = 1e9, .standard = 1.0, .step = 0.1,
-        .tooltip = "Lux of a directional light, candela of point and spot. Any positive number."},
+        .tooltip = "Lux of a directional light, candela of all others. Any positive number."},
     ParameterInfo{.parameter = Parameter::LightPosition, .subject = Subject::Light, .id = "position", .label = "Position", .kind = Vector, .minimum = -1e9, .maximum = 1e9, .step = 0.1, .unit = "m",
-        .tooltip = "Where a point or spot light stands, in metres; +Y is up."},
+        .tooltip = "Where the light stands (its middle), in metres; +Y is up."},
     ParameterInfo{.parameter = Parameter::LightDirection, .subject = Subject::Light, .id = "direction", .label = "Direction", .kind = Vector, .minimum = -1e9, .maximum = 1e9,
         .tooltip = "The way the light travels; its length does not matter."},
     ParameterInfo{.parameter = Parameter::LightRange, .subject = Subject::Light, .id = "range", .label = "Range", .kind = Number, .maximum = 1e9, .step = 0.1, .unit = "m",
@@ -235,13 +235,21 @@ constexpr std::array kParameters = {
         .tooltip = "Full brightness within this angle from the axis. 0 to 90°."},
     ParameterInfo{.parameter = Parameter::LightOuterCone, .subject = Subject::Light, .id = "outer-cone", .label = "Outer cone", .kind = Number, .maximum = kQuarterTurn, .standard = 0.785398, .step = 0.0174533, .display_scale = kDegreesPerRadian, .decimals = 1, .unit = "°",
         .tooltip = "No light beyond this angle from the axis. 0 to 90°."},
+    ParameterInfo{.parameter = Parameter::LightRadius, .subject = Subject::Light, .id = "radius", .label = "Radius", .kind = Number, .minimum = 1e-3, .maximum = 1e6, .standard = 0.1, .step = 0.01, .unit = "m",
+        .tooltip = "Of a sphere, in metres. Larger: softer highlights of the same light."},
+    ParameterInfo{.parameter = Parameter::LightWidth, .subject = Subject::Light, .id = "width", .label = "Width", .kind = Number, .minimum = 1e-3, .maximum = 1e6, .standard = 1.0, .step = 0.1, .unit = "m",
+        .tooltip = "Of a rectangle, in metres. Larger: softer highlights of the same light."},
+    ParameterInfo{.parameter = Parameter::LightHeight, .subject = Subject::Light, .id = "height", .label = "Height", .kind = Number, .minimum = 1e-3, .maximum = 1e6, .standard = 1.0, .step = 0.1, .unit = "m",
+        .tooltip = "Of a rectangle, in metres. Larger: softer highlights of the same light."},
+    ParameterInfo{.parameter = Parameter::LightTurn, .subject = Subject::Light, .id = "turn", .label = "Turn", .kind = Number, .minimum = -2.0 * kQuarterTurn, .maximum = 2.0 * kQuarterTurn, .step = 0.0174533, .display_scale = kDegreesPerRadian, .decimals = 1, .unit = "°",
+        .tooltip = "Turns a rectangle about its direction; at 0 its width lies level. -180 to 180°."},
 };
 // clang-format on
 
 constexpr bool rows_match_enumerators() {
     for (std::size_t i = 0; i < kParameters.size(); ++i)
         if (static_cast<std::size_t>(kParameters[i].parameter) != i) return false;
-    return kParameters.back().parameter == Parameter::LightOuterCone;
+    return kParameters.back().parameter == Parameter::LightTurn;
 }
 static_assert(rows_match_enumerators(), "kParameters has one row per enumerator, in their order");
 

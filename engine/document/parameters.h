@@ -167,6 +167,10 @@ enum class Parameter : std::uint8_t {
     LightRange,
     LightInnerCone,
     LightOuterCone,
+    LightRadius,
+    LightWidth,
+    LightHeight,
+    LightTurn,
 };
 
 /// How a slider's width stands for the range.

@@ -42,9 +42,16 @@ Json light_to_json(const Light& light) {
                  {"position", json_of(light.position_world)},
                  {"direction", json_of(light.direction_world)},
                  {"range", json_of(light.range)}};
-    if (light.kind != Light::Kind::Spot) return json;
-    json["inner-cone"] = json_of(light.inner_cone_radians);
-    json["outer-cone"] = json_of(light.outer_cone_radians);
+    if (light.kind == Light::Kind::Spot) {
+        json["inner-cone"] = json_of(light.inner_cone_radians);
+        json["outer-cone"] = json_of(light.outer_cone_radians);
+    } else if (light.kind == Light::Kind::Sphere) {
+        json["radius"] = json_of(light.radius_m);
+    } else if (light.kind == Light::Kind::Rectangle) {
+        json["width"] = json_of(light.width_m);
+        json["height"] = json_of(light.height_m);
+        json["turn"] = json_of(light.turn_radians);
+    }
     return json;
 }
 
@@ -167,6 +174,10 @@ Light read_light(const Json& json, const std::string& pointer, JsonFaults& fault
         object.number("inner-cone", Parameter::LightInnerCone, light.inner_cone_radians);
     light.outer_cone_radians =
         object.number("outer-cone", Parameter::LightOuterCone, light.outer_cone_radians);
+    light.radius_m = object.number("radius", Parameter::LightRadius, light.radius_m);
+    light.width_m = object.number("width", Parameter::LightWidth, light.width_m);
+    light.height_m = object.number("height", Parameter::LightHeight, light.height_m);
+    light.turn_radians = object.number("turn", Parameter::LightTurn, light.turn_radians);
     object.finish();
     if (Status status = check_light(light); !status)
         faults.add(pointer, "is not valid: " + status.error().message);
@@ -186,6 +197,19 @@ std::optional<std::vector<Light>> read_lights(JsonObject& parent) {
                                     parent.faults()));
     return lights;
 }
+
+}  // namespace
+
+Result<Light> light_from_json(std::string_view text) {
+    const Result<Json> json = json_from_text(text);
+    if (!json) return passed_on(json);
+    JsonFaults faults;
+    Light light = read_light(*json, "", faults);
+    if (faults.any()) return passed_on(faults.status());
+    return light;
+}
+
+namespace {
 
 /// The parsed text of a record whose version can be read.
 Result<Json> known_record(std::string_view text) {

@@ -70,6 +70,10 @@ struct SceneRecord {
 std::string to_json(const MaterialRecord& record);
 std::string to_json(const SceneRecord& record);
 
+/// One light as a record's list of lights has it: {"kind": "sphere", "position": [0, 2, 0] ...}.
+/// What is left out has its standard value.
+Result<Light> light_from_json(std::string_view text);
+
 /// The `version` of a record of either kind. A number above kRecordVersion is written by a newer
 /// Patina: show the baked material and keep the text. Fails on text that is no record.
 Result<int> record_version(std::string_view text);

@@ -23,11 +23,9 @@ Edit set_environment_rotation(float degrees);
 /// 0 to 100.
 Edit set_environment_intensity(float intensity);
 
-/// The most lights of a document.
-inline constexpr int kMaxLights = 64;
-
-/// Lights are known by their place in Document::lights. Colour 0 to 1 each, intensity 0 to 1e9,
-/// direction not zero (kept as a unit vector), cones 0 <= inner < outer <= 90 degrees.
+/// Lights are known by their place in Document::lights, of which there are at most kMaxLights.
+/// Colour 0 to 1 each, intensity 0 to 1e9, direction not zero (kept as a unit vector), cones 0 <=
+/// inner < outer <= 90 degrees, radius, width and height 1e-3 to 1e6 m.
 Edit add_light(const Light& light);
 Edit remove_light(int index);
 Edit set_light(int index, const Light& light);

@@ -3,10 +3,14 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 #include "gl/debug.h"
 
 namespace patina::gl {
 namespace {
+
+constexpr std::size_t kLongestLabel = 255;
 
 GLenum identifier(ObjectKind kind) {
     switch (kind) {
@@ -52,7 +56,10 @@ void destroy(ObjectKind kind, GLuint name) {
 Object::Object(ObjectKind kind, std::uint32_t name, std::string_view label)
     : kind_(kind), name_(name) {
     if (has_debug_output())
-        glObjectLabel(identifier(kind), name, static_cast<GLsizei>(label.size()), label.data());
+        // Drivers take at least so much (GL_MAX_LABEL_LENGTH); the constants of a shader's variant
+        // can be longer.
+        glObjectLabel(identifier(kind), name,
+                      static_cast<GLsizei>(std::min(label.size(), kLongestLabel)), label.data());
 }
 
 Object::~Object() {

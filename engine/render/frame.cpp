@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "render/light_uniforms.h"
+
 namespace patina::render {
 namespace {
 
@@ -22,12 +24,12 @@ SurfaceSet surfaces_of(const View& view) {
     return view.channel == ChannelView::Final ? SurfaceSet::Opaque : SurfaceSet::All;
 }
 
-/// Lights the deferred radiance, draws the blended surfaces over it, and finishes the picture.
-Status draw_side_with_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
-                              const LightingInputs& inputs, const PictureTarget& target) {
+/// Lights the opaque surfaces, on either path, draws the blended ones over them, and finishes the
+/// picture.
+Status draw_side_in_steps(RendererState& state, const SideView& side, const FrameCamera& camera,
+                          const LightingInputs& inputs, const PictureTarget& target) {
     Result<gl::Framebuffer*> radiance = state.radiance.at(camera.size);
     if (!radiance) return passed_on(radiance);
-    gl::copy_depth(*inputs.gbuffer, **radiance);
     View bare = side.view;
     bare.background.kind = Background::Kind::Transparent;
     const SideView bare_side{bare, side.shading, side.side};
@@ -37,15 +39,24 @@ Status draw_side_with_blended(RendererState& state, const SideView& side, const 
         .output = OutputMode::Radiance,
         .still = target.still,
         .draw_index = target.draw_index};
-    if (Status done = draw_lighting(state, bare_side, camera, inputs, local); !done) return done;
-    if (Status done = draw_blended(state, bare_side, camera, local); !done) return done;
+    if (is_forward(side.view, side.shading)) {
+        if (Status done = draw_forward(state, bare_side, camera, SurfaceSet::Opaque, local); !done)
+            return done;
+    } else {
+        gl::copy_depth(*inputs.gbuffer, **radiance);
+        if (Status done = draw_lighting(state, bare_side, camera, inputs, local); !done)
+            return done;
+    }
+    if (shows_blended(state, side.view))
+        if (Status done = draw_forward(state, bare_side, camera, SurfaceSet::Blended, local); !done)
+            return done;
     return draw_post(state, side, camera, {*radiance}, target);
 }
 
 Status draw_side(RendererState& state, const SideView& side, const FrameCamera& camera,
                  const LightingInputs& inputs, const PictureTarget& target) {
-    if (shows_blended(state, side.view))
-        return draw_side_with_blended(state, side, camera, inputs, target);
+    if (shows_blended(state, side.view) || is_forward(side.view, side.shading))
+        return draw_side_in_steps(state, side, camera, inputs, target);
     return draw_lighting(state, side, camera, inputs, target);
 }
 
@@ -56,6 +67,7 @@ Result<LightingInputs> draw_inputs(RendererState& state, const View& view,
         if (!target) return passed_on(target);
         return LightingInputs{.inspection = *target};
     }
+    if (!gbuffer_readers(view)) return LightingInputs{};
     const Result<gl::Framebuffer*> gbuffer =
         draw_gbuffer(state, state.gbuffer, view, camera, surfaces_of(view));
     if (!gbuffer) return passed_on(gbuffer);
@@ -134,7 +146,8 @@ SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side)
     SideCost cost;
     cost.passes = state.timers.costs(side);
     cost.frame_ms = total_ms(cost.passes);
-    cost.gbuffer_bytes = state.gbuffer.plain.bytes() + state.gbuffer.with_surface.bytes();
+    if (!is_forward(state.drawn_view, shading))
+        cost.gbuffer_bytes = state.gbuffer.plain.bytes() + state.gbuffer.with_surface.bytes();
     if (shading.model == ShadingModel::Pbr && state.environment)
         cost.environment_bytes = state.environment->specular.bytes() +
                                  state.environment->diffuse.bytes() +
@@ -155,7 +168,7 @@ SideArea side_area(const View& view, glm::ivec2 size, FrameSide side) {
 
 Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size) {
     state.timers.begin_frame();
-    if (Status shadowed = draw_shadow_maps(state, view); !shadowed) return passed_on(shadowed);
+    if (Status lit = ready_lights(state, view); !lit) return passed_on(lit);
     const FrameCamera camera = frame_camera(view, state.scene->bounds_world, size, glm::vec2(0.0f));
     const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
     if (!inputs) return passed_on(inputs);
@@ -166,11 +179,17 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                   const FrameTarget& target) {
     state.timers.begin_frame();
     state.drawn_view = view;
-    if (Status shadowed = draw_shadow_maps(state, view); !shadowed) return shadowed;
+    if (Status lit = ready_lights(state, view); !lit) return lit;
     const glm::ivec2 gbuffer_size = side_area(view, size, FrameSide::Left).gbuffer_size;
-    const FrameCamera camera =
+    FrameCamera camera =
         frame_camera(view, state.scene->bounds_world, gbuffer_size, target.jitter_pixels);
-    const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
+    View drawn = view;
+    if (target.still) {
+        // Many draws see the normal map itself.
+        drawn.filter_normals = false;
+        camera.level_bias = -0.5f * std::log2(static_cast<float>(target.still->count));
+    }
+    const Result<LightingInputs> inputs = draw_inputs(state, drawn, camera);
     if (!inputs) return passed_on(inputs);
     const PictureTarget whole{.framebuffer = target.framebuffer,
                               .area = {{0, 0}, size},
@@ -180,12 +199,12 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                               .draw_index = target.draw_index};
     switch (view.compare) {
         case CompareMode::Single:
-            return draw_side(state, {view, view.left, FrameSide::Left}, camera, *inputs, whole);
+            return draw_side(state, {drawn, drawn.left, FrameSide::Left}, camera, *inputs, whole);
         case CompareMode::Split:
         case CompareMode::TwoViews:
-            return draw_sides(state, view, camera, *inputs, whole);
+            return draw_sides(state, drawn, camera, *inputs, whole);
         case CompareMode::Difference:
-            return draw_difference_frame(state, view, camera, *inputs, whole);
+            return draw_difference_frame(state, drawn, camera, *inputs, whole);
     }
     return {};
 }
@@ -213,7 +232,8 @@ Status draw_strip_frame(RendererState& state, const View& view, glm::ivec2 thumb
                         const gl::Framebuffer& target) {
     View shown = view;
     shown.compare = CompareMode::Single;
-    if (Status shadowed = draw_shadow_maps(state, shown); !shadowed) return shadowed;
+    shown.filter_normals = false;  // the G-buffer serves the channels too
+    if (Status lit = ready_lights(state, shown); !lit) return lit;
     const FrameCamera camera =
         frame_camera(shown, state.scene->bounds_world, thumbnail, glm::vec2(0.0f));
     // The finished picture wants blended surfaces apart, the channels want them in the G-buffer.

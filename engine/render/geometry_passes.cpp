@@ -75,6 +75,23 @@ GBufferTargets::GBufferTargets(const std::string& label)
                                {"surface", gl::Format::Rgba8}},
                     .depth = gl::Format::Depth32F}) {}
 
+bool is_forward(const View& view, const Shading& shading) {
+    return shading.path == RenderPath::Forward && view.channel == ChannelView::Final;
+}
+
+bool filters_normals(const View& view) {
+    return view.filter_normals && view.channel == ChannelView::Final;
+}
+
+std::optional<FrameSide> gbuffer_readers(const View& view) {
+    const bool left = !is_forward(view, view.left);
+    const bool right = view.compare == CompareMode::Single ? left : !is_forward(view, view.right);
+    if (left && right) return FrameSide::Shared;
+    if (left) return FrameSide::Left;
+    if (right) return FrameSide::Right;
+    return std::nullopt;
+}
+
 Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targets,
                                       const View& view, const FrameCamera& camera,
                                       SurfaceSet surfaces,
@@ -85,18 +102,21 @@ Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targ
     if (!gbuffer) return gbuffer;
     ShaderVariant variant{kSurfaceVertexFile, "passes/gbuffer.frag", {}};
     if (with_surface) variant.constants.push_back({"SURFACE_TARGET", "1"});
+    if (filters_normals(view)) variant.constants.push_back({"FILTER_NORMALS", "1"});
     const Result<gl::Program*> program = state.shaders.program(variant);
     if (!program) return passed_on(program);
 
     // Colours need no clearing: nothing reads them where depth is 1.
     const gl::State base{.encode_srgb = true};
-    const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "G-buffer");
+    const PassTimers::Scope timed =
+        state.timers.measure(gbuffer_readers(view).value_or(FrameSide::Shared), "G-buffer");
     gl::Pass pass({.label = "G-buffer",
                    .target = *gbuffer,
                    .scissor = only,
                    .state = base,
                    .clear_depth = 1.0f});
     (*program)->set("clip_from_world", camera.clip_from_world);
+    (*program)->set("level_bias", camera.level_bias);
     draw_surfaces(state, pass, **program, base, front_to_back(state, view), surfaces);
     return gbuffer;
 }

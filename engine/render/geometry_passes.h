@@ -21,6 +21,7 @@ struct FrameCamera {
     glm::vec3 forward = glm::vec3(0.0f);
     DepthRange range;
     glm::ivec2 size = glm::ivec2(0);
+    float level_bias = 0.0f;  ///< of textures: below 0 for draws that are averaged
 };
 /// @param jitter_pixels  where in a pixel its sample lies, from its middle, -0.5 to 0.5
 FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size,
@@ -33,6 +34,13 @@ enum class SurfaceSet { Opaque, Blended, All };
 void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
                    const gl::State& base, const std::vector<std::size_t>& order,
                    SurfaceSet surfaces);
+
+/// Whether a side's picture comes without the G-buffer. Channels are read from it on either path.
+bool is_forward(const View& view, const Shading& shading);
+/// Whether roughness takes in the normal map's variance. Channels show roughness as it is.
+bool filters_normals(const View& view);
+/// Which sides read the G-buffer; nothing where none does.
+std::optional<FrameSide> gbuffer_readers(const View& view);
 
 /// Draws the G-buffer, or only the pixel `only` of it.
 Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targets,

@@ -102,11 +102,16 @@ void upload(GpuTexture& gpu, int level, const TexelRect& rect) {
 
 gl::Format texture_format(const MipChain& chain) {
     if (chain.storage == TexelStorage::RgbaFloat) return gl::Format::Rgba16F;
-    return chain.srgb ? gl::Format::Srgb8Alpha8 : gl::Format::Rgba8;
+    return chain.meaning == TexelMeaning::Srgb ? gl::Format::Srgb8Alpha8 : gl::Format::Rgba8;
 }
 
-Result<GpuTexturePtr> upload_new(const Image& image, bool srgb) {
-    MipChain chain = mip_chain(image, srgb);
+TexelMeaning meaning_of(const SurfaceTexture& texture, std::size_t slot) {
+    if (slot == static_cast<std::size_t>(Slot::Normal)) return TexelMeaning::Normals;
+    return texture.srgb ? TexelMeaning::Srgb : TexelMeaning::Linear;
+}
+
+Result<GpuTexturePtr> upload_new(const Image& image, TexelMeaning meaning) {
+    MipChain chain = mip_chain(image, meaning);
     Result<gl::Texture> texture =
         gl::Texture::make({.label = "material map",
                            .size = {image.width, image.height},
@@ -154,30 +159,29 @@ bool GpuMaterials::used_elsewhere(const ImagePtr& pixels, int source_material) c
     });
 }
 
-Result<GpuTexturePtr> GpuMaterials::texture_of(const SurfaceTexture& wanted,
+Result<GpuTexturePtr> GpuMaterials::texture_of(const TextureKey& wanted,
                                                const GpuTexturePtr& before,
                                                const ImagePtr& pixels_before, int source_material,
                                                const std::optional<TexelRect>& changed) {
-    if (!wanted.pixels) return GpuTexturePtr();
-    const std::pair key(wanted.pixels, wanted.srgb);
-    if (const auto found = textures_.find(key); found != textures_.end()) return found->second;
+    const auto& [pixels, meaning] = wanted;
+    if (!pixels) return GpuTexturePtr();
+    if (const auto found = textures_.find(wanted); found != textures_.end()) return found->second;
 
-    const bool in_place = changed && before && before->chain.srgb == wanted.srgb &&
-                          same_layout(*pixels_before, *wanted.pixels) &&
+    const bool in_place = changed && before && before->chain.meaning == meaning &&
+                          same_layout(*pixels_before, *pixels) &&
                           !used_elsewhere(pixels_before, source_material);
     if (!in_place) {
-        Result<GpuTexturePtr> made = upload_new(*wanted.pixels, wanted.srgb);
-        if (made) textures_[key] = *made;
+        Result<GpuTexturePtr> made = upload_new(*pixels, meaning);
+        if (made) textures_[wanted] = *made;
         return made;
     }
     if (!changed->empty()) {
-        const std::vector<TexelRect> rects =
-            update_mip_chain(before->chain, *wanted.pixels, *changed);
+        const std::vector<TexelRect> rects = update_mip_chain(before->chain, *pixels, *changed);
         for (std::size_t level = 0; level < rects.size(); ++level)
             upload(*before, static_cast<int>(level), rects[level]);
     }
-    textures_.erase({pixels_before, wanted.srgb});
-    textures_[key] = before;
+    textures_.erase({pixels_before, meaning});
+    textures_[wanted] = before;
     return before;
 }
 
@@ -188,7 +192,8 @@ Status GpuMaterials::set(int source_material, const SurfaceMaterial& surface,
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const bool known = before != materials_.end();
         Result<GpuTexturePtr> texture =
-            texture_of(surface.slots[i].texture, known ? before->second.textures[i] : nullptr,
+            texture_of({surface.slots[i].texture.pixels, meaning_of(surface.slots[i].texture, i)},
+                       known ? before->second.textures[i] : nullptr,
                        known ? before->second.surface.slots[i].texture.pixels : nullptr,
                        source_material, changed);
         if (!texture) return passed_on(texture);

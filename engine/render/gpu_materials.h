@@ -51,7 +51,9 @@ class GpuMaterials {
 
   private:
     explicit GpuMaterials(gl::Texture white);
-    Result<GpuTexturePtr> texture_of(const SurfaceTexture& wanted, const GpuTexturePtr& before,
+    /// The pixels themselves, which are held: the address cannot come back as other content.
+    using TextureKey = std::pair<ImagePtr, TexelMeaning>;
+    Result<GpuTexturePtr> texture_of(const TextureKey& wanted, const GpuTexturePtr& before,
                                      const ImagePtr& pixels_before, int source_material,
                                      const std::optional<TexelRect>& changed);
     bool used_elsewhere(const ImagePtr& pixels, int source_material) const;
@@ -60,8 +62,7 @@ class GpuMaterials {
 
     gl::Texture white_;
     std::map<std::array<int, 3>, gl::Sampler> samplers_;  // by wrap u, wrap v, filter
-    /// By the pixels themselves, which are held: the address cannot come back as other content.
-    std::map<std::pair<ImagePtr, bool>, GpuTexturePtr> textures_;  // bool: sRGB
+    std::map<TextureKey, GpuTexturePtr> textures_;
     std::map<int, GpuMaterial> materials_;
     std::optional<GpuMaterial> plain_;
 };

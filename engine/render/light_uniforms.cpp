@@ -1,33 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/light_uniforms.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/gtc/constants.hpp>
+#include <glm/glm.hpp>
+
+#include "render/renderer_state.h"
 
 namespace patina::render {
 namespace {
-
-constexpr std::size_t kLightSlots = kMaxLights;
-
-struct LightArrays {
-    std::array<glm::vec4, kLightSlots> position = {};
-    std::array<glm::vec4, kLightSlots> color = {};
-    std::array<glm::vec4, kLightSlots> direction = {};
-    std::array<float, kLightSlots> cone_offset = {};
-};
-
-/// Laid out as passes/lights.glsl says; the cone as KHR_lights_punctual's sample code.
-void fill(LightArrays& arrays, std::size_t i, const Light& light) {
-    const float inner = std::cos(light.inner_cone_radians);
-    const float outer = std::cos(light.outer_cone_radians);
-    const float scale = 1.0f / std::max(inner - outer, 0.001f);
-    arrays.position[i] = {light.position_world, static_cast<float>(light.kind)};
-    arrays.color[i] = {light.color_linear * light.intensity, light.range};
-    arrays.direction[i] = {glm::normalize(light.direction_world), scale};
-    arrays.cone_offset[i] = -outer * scale;
-}
 
 /// The way to the light whose terms are shown alone: the first lamp, or the environment's
 /// strongest.
@@ -41,6 +20,11 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
 
 }  // namespace
 
+Status ready_lights(RendererState& state, const View& view) {
+    state.lights.set(view.lights);
+    return draw_shadow_maps(state, view);
+}
+
 glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment) {
     return glm::transpose(environment_from_world(view.environment_rotation_degrees)) *
            environment.key_direction_environment;
@@ -48,15 +32,6 @@ glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environme
 
 void set_lighting(gl::Program& program, const View& view, const Shading& shading,
                   const GpuEnvironment& environment) {
-    LightArrays arrays;
-    const std::size_t count = std::min(view.lights.size(), kLightSlots);
-    for (std::size_t i = 0; i < count; ++i) fill(arrays, i, view.lights[i]);
-    program.set("light_count", static_cast<int>(count));
-    program.set("light_position[0]", std::span<const glm::vec4>(arrays.position));
-    program.set("light_color[0]", std::span<const glm::vec4>(arrays.color));
-    program.set("light_direction[0]", std::span<const glm::vec4>(arrays.direction));
-    program.set("light_cone_offset[0]", std::span<const float>(arrays.cone_offset));
-
     const glm::vec3 key = turned_key_direction(view, environment);
     program.set("key_direction", towards_key(view, key));
     program.set("ambient_key_direction", -key);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What passes/lights.glsl and passes/shading.glsl read.
+/// What passes/shading.glsl reads beside lamps (light_block.h) and shadows.
 
 #include "gl/program.h"
 #include "render/gpu_environment.h"
@@ -9,10 +9,15 @@
 
 namespace patina::render {
 
+struct RendererState;
+
+/// Makes lamps and shadows of the renderer those of a view. Before the passes of a frame.
+Status ready_lights(RendererState& state, const View& view);
+
 /// The way the strongest light of the environment travels in the world.
 glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment);
 
-/// Lamps, and what of the environment the traditional models see.
+/// The key light, and what of the environment the traditional models see.
 void set_lighting(gl::Program& program, const View& view, const Shading& shading,
                   const GpuEnvironment& environment);
 

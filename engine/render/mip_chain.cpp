@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstring>
+#include <glm/glm.hpp>
 
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
@@ -100,13 +102,28 @@ void copy_float_row(const Image& image, bool srgb, MipLevel& level, int y, int x
     }
 }
 
+/// Alpha of a texel: a deviation of normals, 0 to 1.
+void set_deviation(TexelStorage storage, MipLevel& level, std::size_t texel, float deviation) {
+    if (storage == TexelStorage::Rgba8)
+        level.bytes[texel + 3] =
+            static_cast<std::uint8_t>(std::min(deviation, 1.0f) * 255.0f + 0.5f);
+    else
+        level.floats[texel + 3] = deviation;
+}
+
 void copy_texels(MipChain& chain, const Image& image, const TexelRect& rect) {
     parallel_for(rect.y0, rect.y1, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
-        for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+        for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
             if (chain.storage == TexelStorage::Rgba8)
                 copy_byte_row(image, chain.levels[0], y, rect.x0, rect.x1);
             else
-                copy_float_row(image, chain.srgb, chain.levels[0], y, rect.x0, rect.x1);
+                copy_float_row(image, chain.meaning == TexelMeaning::Srgb, chain.levels[0], y,
+                               rect.x0, rect.x1);
+            if (chain.meaning != TexelMeaning::Normals) continue;
+            for (int x = rect.x0; x < rect.x1; ++x)
+                set_deviation(chain.storage, chain.levels[0], texel_index(chain.levels[0], x, y),
+                              0.0f);
+        }
     });
 }
 
@@ -155,6 +172,33 @@ void average_floats(const MipLevel& fine, const Span& xs, const Span& ys, float*
     }
 }
 
+glm::vec4 values_at(TexelStorage storage, const MipLevel& level, std::size_t texel) {
+    glm::vec4 values;
+    for (std::size_t c = 0; c < kChannels; ++c)
+        values[static_cast<int>(c)] = storage == TexelStorage::Rgba8
+                                          ? static_cast<float>(level.bytes[texel + c]) / 255.0f
+                                          : level.floats[texel + c];
+    return values;
+}
+
+/// How much the normals of a coarse texel vary: within the finer ones, and between those.
+float deviation_of(TexelStorage storage, const MipLevel& fine, const Span& xs, const Span& ys) {
+    const float share = 1.0f / static_cast<float>((xs.last - xs.first) * (ys.last - ys.first));
+    glm::vec3 mean(0.0f);
+    float mean_of_squares = 0.0f;
+    float within = 0.0f;
+    for (int y = ys.first; y < ys.last; ++y)
+        for (int x = xs.first; x < xs.last; ++x) {
+            const glm::vec4 values = values_at(storage, fine, texel_index(fine, x, y));
+            const glm::vec3 normal = glm::vec3(values) * 2.0f - 1.0f;
+            mean += share * normal;
+            mean_of_squares += share * glm::dot(normal, normal);
+            within += share * values.a * values.a;
+        }
+    const float between = std::max(mean_of_squares - glm::dot(mean, mean), 0.0f);
+    return std::sqrt(within + between);
+}
+
 TexelRect coarse_rect(const TexelRect& fine, const MipLevel& coarse) {
     // The last texel of an odd side belongs to the last coarse one.
     return {std::min(fine.x0 / 2, coarse.width - 1), std::min(fine.y0 / 2, coarse.height - 1),
@@ -171,9 +215,13 @@ void average_level(MipChain& chain, std::size_t index, const TexelRect& rect) {
                 const Span ys = fine_span(y, coarse.height, fine.height);
                 const std::size_t out = texel_index(coarse, x, y);
                 if (chain.storage == TexelStorage::Rgba8)
-                    average_bytes(fine, xs, ys, chain.srgb, coarse.bytes.data() + out);
+                    average_bytes(fine, xs, ys, chain.meaning == TexelMeaning::Srgb,
+                                  coarse.bytes.data() + out);
                 else
                     average_floats(fine, xs, ys, coarse.floats.data() + out);
+                if (chain.meaning == TexelMeaning::Normals)
+                    set_deviation(chain.storage, coarse, out,
+                                  deviation_of(chain.storage, fine, xs, ys));
             }
     });
 }
@@ -192,10 +240,10 @@ std::vector<TexelRect> update_mip_chain(MipChain& chain, const Image& image,
     return changed;
 }
 
-MipChain mip_chain(const Image& image, bool srgb) {
+MipChain mip_chain(const Image& image, TexelMeaning meaning) {
     MipChain chain;
     chain.storage = image.type == SampleType::U8 ? TexelStorage::Rgba8 : TexelStorage::RgbaFloat;
-    chain.srgb = srgb;
+    chain.meaning = meaning;
     for (int width = image.width, height = image.height;;
          width = std::max(1, width / 2), height = std::max(1, height / 2)) {
         MipLevel level{width, height, {}, {}};

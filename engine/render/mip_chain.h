@@ -2,7 +2,8 @@
 #pragma once
 
 /// Textures as the GPU takes them, with their mips, made on the CPU: four numbers a texel, sRGB
-/// averaged in linear light. A change of some texels is carried through the levels by itself.
+/// averaged in linear light, and beside normals how much they vary within a texel. A change of some
+/// texels is carried through the levels by itself.
 
 #include <cstdint>
 #include <vector>
@@ -15,6 +16,15 @@ namespace patina::render {
 /// 8-bit images stay 8-bit (stored as they are); others become linear floats.
 enum class TexelStorage { Rgba8, RgbaFloat };
 
+/// What the numbers are, which is how they are averaged.
+enum class TexelMeaning {
+    Linear,
+    Srgb,
+    /// Red, green and blue are n * 0.5 + 0.5; alpha, whatever it was, becomes the deviation within
+    /// the texel: sqrt(1 - |mean of n|^2) of unit normals, 0 in the first level.
+    Normals,
+};
+
 struct MipLevel {
     int width = 0;
     int height = 0;
@@ -24,12 +34,12 @@ struct MipLevel {
 
 struct MipChain {
     TexelStorage storage = TexelStorage::Rgba8;
-    bool srgb = false;             ///< how the bytes are encoded; floats are linear
+    TexelMeaning meaning = TexelMeaning::Linear;  ///< of bytes; floats of sRGB images are linear
     std::vector<MipLevel> levels;  ///< down to 1 x 1, each half of the one before, rounded down
 };
 
 /// Grey images fill red, green and blue; missing alpha is 1. Floats of sRGB images are decoded.
-MipChain mip_chain(const Image& image, bool srgb);
+MipChain mip_chain(const Image& image, TexelMeaning meaning);
 
 /// Takes the texels inside `rect` from `image`, which has the size and type that the chain was made
 /// from. Returns the rectangle of each level that has changed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture_passes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,7 @@ using Constants = std::vector<gl::ShaderDefine>;
 void add_shading_constants(Constants& constants, const RendererState& state, const Shading& shading,
                            const PictureTarget& target) {
     constants.push_back(shader_constant("SHADOW_COUNT", state.shadow_maps.plan.lights.size()));
+    constants.push_back(shader_constant("AREA_LIGHTS", state.lights.any_has_size()));
     constants.push_back(shader_constant("SHADING_MODEL", shading.model));
     constants.push_back(shader_constant("DISTRIBUTION", shading.terms.distribution));
     constants.push_back(shader_constant("GEOMETRY", shading.terms.geometry));
@@ -75,6 +77,7 @@ void bind_light(gl::Pass& pass, gl::Program& program, const RendererState& state
         bind_environment_samples(pass, program, *state.sampled_environment, *target.still);
     bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
                      side.view);
+    state.lights.bind(pass, program);
     set_lighting(program, side.view, side.shading, *state.environment);
     bind_shadows(pass, program, state, target.draw_index);
 }
@@ -162,25 +165,36 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
     return {};
 }
 
-Status draw_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
-                    const PictureTarget& target) {
+Status draw_forward(RendererState& state, const SideView& side, const FrameCamera& camera,
+                    SurfaceSet surfaces, const PictureTarget& target) {
     ShaderVariant variant{"passes/surface.vert", "passes/forward.frag", {}};
     add_shading_constants(variant.constants, state, side.shading, target);
+    variant.constants.push_back(shader_constant("FILTER_NORMALS", filters_normals(side.view)));
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
     gl::Program& program = **found;
-    const gl::State base{.write_depth = false, .blend = gl::Blend::Premultiplied};
-    const PassTimers::Scope timed = state.timers.measure(side.side, "Blended");
-    gl::Pass pass({.label = "blended",
-                   .target = target.framebuffer,
-                   .viewport = gl::Viewport{target.picture_offset, camera.size},
-                   .scissor = target.area,
-                   .state = base});
+    const bool blended = surfaces == SurfaceSet::Blended;
+    const gl::State base =
+        blended ? gl::State{.write_depth = false, .blend = gl::Blend::Premultiplied} : gl::State{};
+    const PassTimers::Scope timed =
+        state.timers.measure(side.side, blended ? "Blended" : "Forward");
+    gl::PassDescription description{.label = blended ? "blended" : "forward",
+                                    .target = target.framebuffer,
+                                    .viewport = gl::Viewport{target.picture_offset, camera.size},
+                                    .scissor = target.area,
+                                    .state = base};
+    if (!blended) {
+        description.clear_colors = {glm::vec4(0.0f)};
+        description.clear_depth = 1.0f;
+    }
+    gl::Pass pass(description);
     set_camera(program, camera, target);
     program.set("clip_from_world", camera.clip_from_world);
+    program.set("level_bias", camera.level_bias);
     bind_light(pass, program, state, side, target);
-    draw_surfaces(state, pass, program, base, back_to_front(state.scene->items, side.view.camera),
-                  SurfaceSet::Blended);
+    std::vector<std::size_t> order = back_to_front(state.scene->items, side.view.camera);
+    if (!blended) std::reverse(order.begin(), order.end());
+    draw_surfaces(state, pass, program, base, order, surfaces);
     return {};
 }
 

@@ -45,10 +45,11 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
                      const LightingInputs& inputs, const PictureTarget& target,
                      const std::optional<glm::ivec2>& only_pixel = std::nullopt);
 
-/// Draws blended surfaces over radiance that draw_lighting made with a transparent background.
-/// The target has the depth of the G-buffer.
-Status draw_blended(RendererState& state, const SideView& side, const FrameCamera& camera,
-                    const PictureTarget& target);
+/// Lights surfaces one by one as they are drawn. Opaque ones, from the nearest, clear the target
+/// first; blended ones, from the farthest, go over radiance with a transparent background and the
+/// depth of the opaque ones.
+Status draw_forward(RendererState& state, const SideView& side, const FrameCamera& camera,
+                    SurfaceSet surfaces, const PictureTarget& target);
 
 /// What draw_post reads: radiance with coverage, premultiplied.
 struct RadianceInput {

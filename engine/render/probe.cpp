@@ -6,6 +6,7 @@
 
 #include "core/formulae/formulae.h"
 #include "render/frame.h"
+#include "render/light_uniforms.h"
 #include "render/renderer.h"
 
 namespace patina::render {
@@ -57,12 +58,13 @@ struct ProbeTargets {
 
 /// Draws the G-buffer of the last view at that pixel.
 Result<ProbeTargets> probe_targets(RendererState& state, const Place& place) {
-    if (Status shadowed = draw_shadow_maps(state, state.last_view); !shadowed)
-        return passed_on(shadowed);
+    if (Status lit = ready_lights(state, state.last_view); !lit) return passed_on(lit);
     const FrameCamera camera = frame_camera(state.last_view, state.scene->bounds_world,
                                             place.gbuffer_size, glm::vec2(0.0f));
-    const Result<gl::Framebuffer*> gbuffer = draw_gbuffer(
-        state, state.gbuffer, state.last_view, camera, SurfaceSet::All, one_pixel(place));
+    View unfiltered = state.last_view;
+    unfiltered.filter_normals = false;
+    const Result<gl::Framebuffer*> gbuffer =
+        draw_gbuffer(state, state.gbuffer, unfiltered, camera, SurfaceSet::All, one_pixel(place));
     if (!gbuffer) return passed_on(gbuffer);
     const Result<gl::Framebuffer*> values = state.probe_values.at({kChannelViewCount, 1});
     if (!values) return passed_on(values);

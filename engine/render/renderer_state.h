@@ -15,6 +15,7 @@
 #include "render/gpu_environment.h"
 #include "render/gpu_materials.h"
 #include "render/gpu_scene.h"
+#include "render/light_block.h"
 #include "render/pass_timers.h"
 #include "render/renderer.h"
 #include "render/shader_variants.h"
@@ -61,6 +62,7 @@ struct RendererState {
     std::optional<GpuScene> scene;
     GpuGroundShadow shadow;
     ShadowMaps shadow_maps;
+    LightBlock lights;
 
     GBufferTargets gbuffer;
     GBufferTargets strip_gbuffer;

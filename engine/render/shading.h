@@ -83,8 +83,21 @@ struct PhongSettings {
     bool operator==(const PhongSettings&) const = default;
 };
 
+/// How a side gets its picture. The shading is the same; what they cost is not.
+enum class RenderPath {
+    Deferred,  ///< surfaces are written to the G-buffer, and each pixel is lit once
+    Forward,   ///< each fragment is lit as it is drawn
+};
+inline constexpr std::array<Choice<RenderPath>, 2> kRenderPaths = {{
+    {RenderPath::Deferred, "deferred", "Deferred",
+     "By way of the G-buffer: each pixel is lit once"},
+    {RenderPath::Forward, "forward", "Forward",
+     "Without a G-buffer: each fragment is lit as drawn"},
+}};
+
 struct Shading {
     ShadingModel model = ShadingModel::Pbr;
+    RenderPath path = RenderPath::Deferred;
     PbrTerms terms = {};
     PhongSettings phong = {};
     bool operator==(const Shading&) const = default;

@@ -62,7 +62,6 @@ void draw_map(RendererState& state, std::size_t map, gl::Program& program) {
 
 ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment) {
     ShadowPlan plan;
-    plan.lamps.fill(-1);
     if (!view.shadows) return plan;
     if (shows_pbr(view)) {
         const glm::mat3 world_from_environment =
@@ -74,10 +73,10 @@ ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment) {
         plan.suns = static_cast<int>(plan.lights.size());
     }
     if (shows_traditional(view)) plan_key_light(view, environment, plan);
-    for (std::size_t i = 0; i < std::min<std::size_t>(view.lights.size(), kMaxLights); ++i) {
+    for (std::size_t i = 0; i < view.lights.size() && plan.lights.size() < kMostShadows; ++i) {
         const Light& light = view.lights[i];
-        if (light.kind != Light::Kind::Directional || plan.lights.size() == kMostShadows) continue;
-        plan.lamps[i] = static_cast<int>(plan.lights.size());
+        if (light.kind != Light::Kind::Directional) continue;
+        plan.lamps[plan.lights.size()] = static_cast<int>(i);
         plan.lights.push_back({-glm::normalize(light.direction_world), kLampRadius});
     }
     return plan;
@@ -120,10 +119,10 @@ Status draw_shadow_maps(RendererState& state, const View& view) {
 void bind_shadows(gl::Pass& pass, gl::Program& program, const RendererState& state,
                   int draw_index) {
     const ShadowMaps& shadows = state.shadow_maps;
-    std::array<float, kMaxLights> lamps = {};
+    std::array<float, kMostShadows> lamps = {};
     for (std::size_t i = 0; i < lamps.size(); ++i)
         lamps[i] = static_cast<float>(shadows.plan.lamps[i]);
-    program.set("light_shadow[0]", std::span<const float>(lamps));
+    program.set("shadow_lamp[0]", std::span<const float>(lamps));
     program.set("sun_shadow_count", shadows.plan.suns);
     program.set("key_shadow", shadows.plan.key);
     if (shadows.plan.lights.empty()) return;

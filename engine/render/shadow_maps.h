@@ -26,11 +26,12 @@ struct ShadowLight {
     bool operator==(const ShadowLight&) const = default;
 };
 
-/// Which light reads which map; -1: it casts no shadow.
+/// Which light reads which map.
 struct ShadowPlan {
-    std::vector<ShadowLight> lights;         ///< at most kMostShadows
-    int suns = 0;                            ///< maps 0 to suns - 1 are of the environment's suns
-    std::array<int, kMaxLights> lamps = {};  ///< of View::lights: directional ones cast shadows
+    std::vector<ShadowLight> lights;  ///< at most kMostShadows
+    int suns = 0;                     ///< maps 0 to suns - 1 are of the environment's suns
+    /// By map, which of View::lights it is of; -1: none. Directional ones cast shadows.
+    std::array<int, kMostShadows> lamps = {-1, -1, -1, -1};
     int key = -1;  ///< of what the traditional models see of the environment
 };
 /// The suns of the environment first, then the directional lamps; the key light of the traditional

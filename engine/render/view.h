@@ -76,7 +76,7 @@ struct View {
 
     float environment_rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
     float environment_intensity = 1.0f;         ///< times the radiance of the map
-    std::vector<Light> lights;  ///< at most kMaxLights are used; the first is the key light
+    std::vector<Light> lights;                  ///< at most kMaxLights; the first is the key light
 
     Background background;
     bool ground_shadow = true;  ///< contact shadow on the floor; Studio only
@@ -87,9 +87,11 @@ struct View {
     ToneMap tone_map = ToneMap::PbrNeutral;
     AntiAliasing anti_aliasing = AntiAliasing::Fast;
     bool wires = false;  ///< edges of the triangles over the picture of the window; not in stills
+    /// Roughness takes in what of the normal map is finer than a pixel, against glints. Not where
+    /// the environment is sampled: the many draws of such a picture see the normal map itself.
+    bool filter_normals = true;
     bool operator==(const View&) const = default;
 };
-inline constexpr int kMaxLights = 16;
 
 /// Whether a side that is on screen is shaded physically.
 inline bool shows_pbr(const View& view) {

@@ -22,18 +22,27 @@ struct MeshInstance {
 
 /// KHR_lights_punctual, in the world.
 struct Light {
-    enum class Kind { Directional, Point, Spot };
+    enum class Kind { Directional, Point, Spot, Sphere, Rectangle };
     Kind kind = Kind::Directional;
     std::string name;
     glm::vec3 color_linear = glm::vec3(1.0f);
-    float intensity = 1.0f;  ///< lux (directional) or candela (point, spot)
+    /// Lux (directional) or candela: of point and sphere to all sides, of spot and rectangle
+    /// straight ahead. From far away, a sphere or rectangle is as bright as a point or spot of that
+    /// intensity.
+    float intensity = 1.0f;
     glm::vec3 position_world = glm::vec3(0.0f);
     glm::vec3 direction_world = glm::vec3(0.0f, 0.0f, -1.0f);  ///< the way the light travels, unit
     float range = 0.0f;                                        ///< metres; 0 reaches everywhere
     float inner_cone_radians = 0.0f;
     float outer_cone_radians = 0.785398f;
+    float radius_m = 0.1f;  ///< of a sphere
+    float width_m = 1.0f;   ///< of a rectangle, which shines to one side, along its direction
+    float height_m = 1.0f;
+    float turn_radians = 0.0f;  ///< of a rectangle about its direction; 0: its width lies level
     bool operator==(const Light&) const = default;
 };
+/// The most lights of a document, all of which are drawn.
+inline constexpr int kMaxLights = 256;
 
 struct SceneCamera {
     std::string name;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Light from all around, as engine/render/environment.h filters it.
-
 #include "shared/environment.glsl"
 
 uniform samplerCube specular_environment;  // radiance convolved with GGX, rougher with each level

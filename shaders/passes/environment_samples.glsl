@@ -4,9 +4,10 @@
 // have drawn it (the balance heuristic of E. Veach, "Robust Monte Carlo methods for light transport
 // simulation", 1997). Laid out in engine/render/environment_samples.cpp.
 
+#include "passes/lit.glsl"
 #include "shared/color.glsl"
-#include "shared/noise.glsl"
 #include "shared/environment.glsl"
+#include "shared/noise.glsl"
 
 const int LIGHT_SAMPLES = 8;  // of a draw
 const int LOBE_SAMPLES = 2;   // of a pixel in a draw
@@ -44,4 +45,29 @@ vec2 lobe_point(vec2 pixel, int i) {
     vec2 start = vec2(unit_from_hash(lattice_hash(int(cell.x), int(cell.y), 1u)),
                       unit_from_hash(lattice_hash(int(cell.x), int(cell.y), 2u)));
     return fract(start + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
+}
+
+/// A direction of a surface's own lobe; density 0: it lies below the horizon.
+struct LobeSample {
+    vec3 direction;
+    float density;
+};
+
+LobeSample[LOBE_SAMPLES] lobe_samples(Surface s, PbrSurface p, vec3 v) {
+    float alpha = alpha_from_roughness(s.roughness);
+    vec3 across = v - dot(v, s.normal) * s.normal;
+    vec3 other = abs(s.normal.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    vec3 tangent = normalize(dot(across, across) > 1e-10 ? across : cross(other, s.normal));
+    mat3 world_from_tangent = mat3(tangent, cross(s.normal, tangent), s.normal);
+    vec3 v_tangent = vec3(sqrt(max(1.0 - p.n_dot_v * p.n_dot_v, 0.0)), 0.0, p.n_dot_v);
+    LobeSample samples[LOBE_SAMPLES];
+    for (int i = 0; i < LOBE_SAMPLES; ++i) {
+        vec2 u = lobe_point(gl_FragCoord.xy, draw_index * LOBE_SAMPLES + i);
+        vec3 h = sample_ggx_visible_half_vector(u, v_tangent, alpha);
+        vec3 l = world_from_tangent * reflect(-v_tangent, h);
+        bool below = dot(l, s.normal) <= 0.0;
+        samples[i] =
+            LobeSample(l, below ? 0.0 : ggx_visible_density(h.z, p.n_dot_v, alpha));
+    }
+    return samples;
 }

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Lamps, as KHR_lights_punctual defines them. Laid out in engine/render/light_uniforms.cpp.
+// Lamps: those of KHR_lights_punctual, and spheres and rectangles. Laid out in
+// engine/render/light_block.cpp.
+#include "shared/transcendental.glsl"
 
-const int MAX_LIGHTS = 16;
+const int MAX_LIGHTS = 256;
 const float DIRECTIONAL = 0.0;
 const float SPOT = 2.0;
+const float SPHERE = 3.0;
+const float RECTANGLE = 4.0;
 
+struct Lamp {
+    vec4 position_kind;   // world; w: kind
+    vec4 color_range;     // linear colour x intensity (radiance of those with a size); w: range, 0
+                          // everywhere
+    vec4 direction_size;  // the way it travels, unit; w: of a spot the scale of the cone, of a sphere
+                          // the radius, of a rectangle half of the width
+    vec4 across_size;     // of a rectangle, where its width lies; w: of a spot the offset of the cone,
+                          // of a rectangle half of the height
+};
+layout(std140) uniform LightBlock {
+    Lamp lamps[MAX_LIGHTS];
+};
 uniform int light_count;
-uniform vec4 light_position[MAX_LIGHTS];   // world; w: kind
-uniform vec4 light_color[MAX_LIGHTS];      // linear colour x intensity; w: range, 0 everywhere
-uniform vec4 light_direction[MAX_LIGHTS];  // the way it travels, unit; w: scale of the cone
-uniform float light_cone_offset[MAX_LIGHTS];
 
 /// The light of one lamp at a point.
 struct Incident {
@@ -17,23 +29,46 @@ struct Incident {
     vec3 irradiance;  // on a surface that faces it
 };
 
-/// Inverse square, brought to 0 at the range (KHR_lights_punctual, "Range Property").
-float distance_attenuation(float distance_to_light, float range) {
-    float window = 1.0;
-    if (range > 0.0) window = clamp(1.0 - pow(distance_to_light / range, 4.0), 0.0, 1.0);
-    return window / max(distance_to_light * distance_to_light, 1e-8);
+/// 1, brought to 0 at the range (KHR_lights_punctual, "Range Property").
+float range_window(float distance_to_light, float range) {
+    if (range <= 0.0) return 1.0;
+    return clamp(1.0 - pow(distance_to_light / range, 4.0), 0.0, 1.0);
 }
 
-Incident incident_light(int i, vec3 point) {
-    vec3 color = light_color[i].rgb;
-    vec3 travel = light_direction[i].xyz;
-    if (light_position[i].w == DIRECTIONAL) return Incident(-travel, color);
-    vec3 to_light = light_position[i].xyz - point;
+bool has_size(Lamp lamp) {
+    return lamp.position_kind.w >= SPHERE;
+}
+
+/// Of a lamp that has a size, as if all of it came from its middle.
+Incident incident_from_middle(Lamp lamp, vec3 direction, float distance2) {
+    float facing = 0.0;
+    if (lamp.position_kind.w == SPHERE) {
+        float radius2 = lamp.direction_size.w * lamp.direction_size.w;
+        facing = PI * radius2 / max(distance2, radius2);
+    } else {
+        float area = 4.0 * lamp.direction_size.w * lamp.across_size.w;
+        facing = area * max(dot(-direction, lamp.direction_size.xyz), 0.0) /
+                 max(distance2, area / PI);
+    }
+    return Incident(direction, lamp.color_range.rgb * facing);
+}
+
+Incident incident_light(Lamp lamp, vec3 point) {
+    vec3 color = lamp.color_range.rgb;
+    vec3 travel = lamp.direction_size.xyz;
+    if (lamp.position_kind.w == DIRECTIONAL) return Incident(-travel, color);
+    vec3 to_light = lamp.position_kind.xyz - point;
     float distance_to_light = max(length(to_light), 1e-6);
     vec3 direction = to_light / distance_to_light;
-    float attenuation = distance_attenuation(distance_to_light, light_color[i].w);
-    if (light_position[i].w == SPOT) {
-        float cone = clamp(dot(-direction, travel) * light_direction[i].w + light_cone_offset[i],
+    float window = range_window(distance_to_light, lamp.color_range.w);
+    float distance2 = max(distance_to_light * distance_to_light, 1e-8);
+    if (has_size(lamp)) {
+        Incident light = incident_from_middle(lamp, direction, distance2);
+        return Incident(direction, window * light.irradiance);
+    }
+    float attenuation = window / distance2;
+    if (lamp.position_kind.w == SPOT) {
+        float cone = clamp(dot(-direction, travel) * lamp.direction_size.w + lamp.across_size.w,
                            0.0, 1.0);
         attenuation *= cone * cone;
     }

@@ -3,7 +3,13 @@
 // them, and the extensions KHR_texture_transform, _materials_ior, _specular, _emissive_strength.
 // Laid out in engine/render/gpu_materials.cpp.
 
+// Constant: FILTER_NORMALS, 1 where roughness takes in what of the normal map is finer than a pixel.
+
 #include "shared/brdf.glsl"
+
+#ifndef FILTER_NORMALS
+#define FILTER_NORMALS 0
+#endif
 
 in vec3 position_world;
 in vec3 normal_world;
@@ -29,6 +35,7 @@ uniform sampler2D metallic_roughness_map;
 uniform sampler2D normal_map;
 uniform sampler2D occlusion_map;
 uniform sampler2D emissive_map;
+uniform float level_bias;  // of all of them: finer below 0
 
 const int SLOT_BASE_COLOR = 0;
 const int SLOT_METALLIC_ROUGHNESS = 1;
@@ -54,28 +61,38 @@ vec4 slot_value(int slot, sampler2D map) {
     vec4 row_v = material.slots[slot].uv_row_v;
     vec3 uv = vec3(row_u.w < 0.5 ? uvs.xy : uvs.zw, 1.0);
     vec4 texel = row_v.w < 0.5 ? vec4(1.0)
-                               : texture(map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv)));
+                               : texture(map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv)), level_bias);
     return texel * material.slots[slot].multiply + material.slots[slot].add;
 }
 
+struct ShadingNormal {
+    vec3 world;      // unit
+    float variance;  // of the normals that it is the mean of
+};
+
 /// The normal map is in tangent space: x along the tangent (+U), y along the bitangent (up in the
-/// picture), z out of the surface. The back of a double-sided surface is seen with all three turned.
-vec3 shading_normal() {
+/// picture), z out of the surface; alpha is the deviation of what a texel is the mean of. The back of
+/// a double-sided surface is seen with all three turned.
+ShadingNormal shading_normal() {
     vec3 normal = normalize(normal_world);
+    float variance = 0.0;
     vec4 row_u = material.slots[SLOT_NORMAL].uv_row_u;
     vec4 row_v = material.slots[SLOT_NORMAL].uv_row_v;
     if (row_v.w > 0.5 && tangent_world.w != 0.0) {
         vec3 uv = vec3(row_u.w < 0.5 ? uvs.xy : uvs.zw, 1.0);
-        vec3 stored = texture(normal_map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv))).xyz;
-        vec3 mapped = (stored * 2.0 - 1.0) * material.slots[SLOT_NORMAL].multiply.xyz +
-                      material.slots[SLOT_NORMAL].add.xyz;
+        vec4 stored =
+            texture(normal_map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv)), level_bias);
+        vec3 scale = material.slots[SLOT_NORMAL].multiply.xyz;
+        vec3 mapped = (stored.xyz * 2.0 - 1.0) * scale + material.slots[SLOT_NORMAL].add.xyz;
+        float deviation = stored.a * scale.x;
+        variance = deviation * deviation;
         // Not orthogonalised and not normalised one by one: MikkTSpace bakes are undone exactly so.
         vec3 bitangent = tangent_world.w * cross(normal_world, tangent_world.xyz);
         vec3 turned =
             mapped.x * tangent_world.xyz + mapped.y * bitangent + mapped.z * normal_world;
         normal = dot(turned, turned) > 0.0 ? normalize(turned) : normal;
     }
-    return gl_FrontFacing ? normal : -normal;
+    return ShadingNormal(gl_FrontFacing ? normal : -normal, variance);
 }
 
 Material sampled_material() {
@@ -86,7 +103,10 @@ Material sampled_material() {
     m.alpha = material.alpha.x < 0.5 ? 1.0 : clamp(base.a, 0.0, 1.0);
     m.metalness = clamp(metallic_roughness.z, 0.0, 1.0);
     m.roughness = clamp(metallic_roughness.y, 0.0, 1.0);
-    m.normal = shading_normal();
+    ShadingNormal normal = shading_normal();
+    m.normal = normal.world;
+    if (FILTER_NORMALS == 1 && normal.variance > 0.0)
+        m.roughness = roughness_with_variance(m.roughness, normal.variance);
     m.ior = material.ior_emissive.x;
     m.f0 = material_f0(dielectric_f0(m.ior, material.specular.a, material.specular.rgb),
                        m.base_color, m.metalness);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Light on a surface: the same text for the deferred pass and for blended surfaces.
 // Constants: SHADING_MODEL, DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE, MULTIPLE_SCATTERING; they are
-// the enumerators of engine/render/shading.h. SAMPLED_ENVIRONMENT: 1 in stills that converge. Those
-// of shadows.glsl.
+// the enumerators of engine/render/shading.h. SAMPLED_ENVIRONMENT: 1 in stills that converge.
+// AREA_LIGHTS: 0 where no lamp has a size. Those of shadows.glsl.
 
+#include "passes/area_lighting.glsl"
 #include "passes/camera.glsl"
 #include "passes/environment.glsl"
 #include "passes/environment_samples.glsl"
 #include "passes/lights.glsl"
+#include "passes/lit.glsl"
 #include "passes/shadows.glsl"
 #include "shared/brdf.glsl"
 #include "shared/phong.glsl"
@@ -16,12 +18,6 @@ const int SHADING_PBR = 0;
 const int SHADING_PHONG = 1;
 const int SHADING_BLINN_PHONG = 2;
 
-const BrdfTerms TERMS = BrdfTerms(DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE);
-
-/// The lecture's diffuse term is for lamps, whose light it does not divide by pi.
-const BrdfTerms AMBIENT_TERMS = BrdfTerms(
-    DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE == DIFFUSE_LECTURE ? DIFFUSE_LAMBERT : DIFFUSE);
-
 uniform vec3 key_direction;     // towards the light whose terms D, F and G can be shown, unit
 uniform vec3 ambient_radiance;  // Phong: the mean of the environment
 uniform vec3 ambient_key_irradiance;  // Phong: its strongest directional light ...
@@ -29,41 +25,11 @@ uniform vec3 ambient_key_direction;   // ... and where that is, unit
 uniform float phong_exponent_override;        // below 0: from roughness
 uniform vec3 phong_specular_color_override;  // below 0: from F0
 
-struct Surface {
-    vec3 base_color;
-    float metalness;
-    vec3 normal;  // world, unit
-    float roughness;
-    vec3 f0;
-    float f90;
-    vec3 emissive;
-    float occlusion;
-    vec3 position;  // world
-    bool unlit;
-};
-
-/// Radiance towards the eye, in parts.
-struct Lit {
-    vec3 diffuse_direct;
-    vec3 specular_direct;
-    vec3 diffuse_ambient;
-    vec3 specular_ambient;
-};
-
 /// F0 of what is not metal in a mixture: material_f0 solved for it.
 vec3 dielectric_part_f0(Surface s) {
     vec3 rest = s.f0 - s.metalness * s.base_color;
     return clamp(rest / max(1.0 - s.metalness, 1e-3), 0.0, 1.0);
 }
-
-/// What lit_pbr works with.
-struct PbrSurface {
-    vec3 diffuse;     // colour of the diffuse part
-    vec3 dielectric;  // F0 of what is not metal
-    vec3 boost;       // of the specular part, for light that is scattered several times
-    float n_dot_v;
-    EnvironmentBrdf environment;
-};
 
 /// Adds light of the environment from one direction; `received` is irradiance on a surface that
 /// faces it.
@@ -96,9 +62,10 @@ float map_reaching(float suns[MOST_SUNS], vec3 direction_map) {
 
 /// What of a lamp reaches a surface.
 float lamp_reaching(int i, Surface s, vec3 towards) {
-    int map = int(light_shadow[i]);
-    if (map < 0) return 1.0;
-    return light_reaching(map, s.position, s.normal, towards, picture_pixel());
+    for (int map = 0; map < SHADOW_COUNT; ++map)
+        if (int(shadow_lamp[map]) == i)
+            return light_reaching(map, s.position, s.normal, towards, picture_pixel());
+    return 1.0;
 }
 
 /// The filtered environment and its suns.
@@ -118,7 +85,8 @@ void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
 }
 
 /// One draw's share of the integral over the environment.
-void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
+void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v,
+                             LobeSample lobe[LOBE_SAMPLES]) {
     float alpha = alpha_from_roughness(s.roughness);
     float suns[MOST_SUNS] = suns_reaching(s);
     for (int i = 0; i < light_sample_count; ++i) {
@@ -134,21 +102,12 @@ void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
                               map_reaching(suns, light_sample_towards[i].xyz) * weight * radiance,
                               1.0, s.roughness);
     }
-    vec3 across = v - dot(v, s.normal) * s.normal;
-    vec3 other = abs(s.normal.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-    vec3 tangent = normalize(dot(across, across) > 1e-10 ? across : cross(other, s.normal));
-    mat3 world_from_tangent = mat3(tangent, cross(s.normal, tangent), s.normal);
-    vec3 v_tangent = vec3(sqrt(max(1.0 - p.n_dot_v * p.n_dot_v, 0.0)), 0.0, p.n_dot_v);
     for (int i = 0; i < LOBE_SAMPLES; ++i) {
-        vec2 u = lobe_point(gl_FragCoord.xy, draw_index * LOBE_SAMPLES + i);
-        vec3 h = sample_ggx_visible_half_vector(u, v_tangent, alpha);
-        vec3 l = world_from_tangent * reflect(-v_tangent, h);
-        if (dot(l, s.normal) <= 0.0) continue;
-        float density = ggx_visible_density(h.z, p.n_dot_v, alpha);
-        vec3 direction_map = environment_from_world * l;
-        vec3 radiance = map_radiance(direction_map, level_for_density(density));
-        float by_either = light_density(radiance) + float(LOBE_SAMPLES) * density;
-        add_environment_light(lit, s, p, v, l,
+        if (lobe[i].density == 0.0) continue;
+        vec3 direction_map = environment_from_world * lobe[i].direction;
+        vec3 radiance = map_radiance(direction_map, level_for_density(lobe[i].density));
+        float by_either = light_density(radiance) + float(LOBE_SAMPLES) * lobe[i].density;
+        add_environment_light(lit, s, p, v, lobe[i].direction,
                               map_reaching(suns, direction_map) / by_either * radiance, 1.0,
                               s.roughness);
     }
@@ -165,18 +124,25 @@ Lit lit_pbr(Surface s, vec3 v) {
                   ? multiple_scattering_scale(s.f0, p.environment.scale + p.environment.bias)
                   : vec3(1.0);
 
+    LobeSample lobe[LOBE_SAMPLES];
+    if (SAMPLED_ENVIRONMENT == 1) lobe = lobe_samples(s, p, v);
     for (int i = 0; i < light_count; ++i) {
-        Incident light = incident_light(i, s.position);
-        ReflectionAngles angles = reflection_angles(s.normal, v, light.direction);
-        vec3 received =
-            lamp_reaching(i, s, light.direction) * light.irradiance * angles.n_dot_l;
-        lit.diffuse_direct +=
-            received * brdf_diffuse(TERMS, angles, p.diffuse, p.dielectric, s.f90, s.roughness);
-        lit.specular_direct +=
-            received * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
+#if AREA_LIGHTS == 1
+        if (has_size(lamps[i])) {
+            SeenLamp lamp = seen_lamp(lamps[i], s.position);
+            if (SAMPLED_ENVIRONMENT == 1)
+                add_sampled_lamp(lit, lamp, i, s, p, v, lobe);
+            else
+                add_area_lamp(lit, lamp, s, p, v);
+            continue;
+        }
+#endif
+        Incident light = incident_light(lamps[i], s.position);
+        add_direct_light(lit, s, p, v, light.direction,
+                         lamp_reaching(i, s, light.direction) * light.irradiance);
     }
     if (SAMPLED_ENVIRONMENT == 1)
-        add_sampled_environment(lit, s, p, v);
+        add_sampled_environment(lit, s, p, v, lobe);
     else
         add_filtered_environment(lit, s, p, v);
     return lit;
@@ -214,7 +180,7 @@ Lit lit_traditional(Surface s, vec3 v) {
                                                 ambient_key_direction, picture_pixel());
     add_traditional_light(lit, m, s.normal, v, ambient_key_direction, key * ambient_key_irradiance);
     for (int i = 0; i < light_count; ++i) {
-        Incident light = incident_light(i, s.position);
+        Incident light = incident_light(lamps[i], s.position);
         add_traditional_light(lit, m, s.normal, v, light.direction,
                               lamp_reaching(i, s, light.direction) * light.irradiance);
     }

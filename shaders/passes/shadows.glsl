@@ -17,7 +17,7 @@ const vec2 DISC[EDGE_TAPS] = vec2[EDGE_TAPS](
 uniform sampler2D shadow_maps;                   // 0 nearest to the light, 1 behind everything
 uniform vec4 shadow_from_world[3 * MOST_SHADOWS];  // rows: across, up (0 to 1 of the map), depth
 uniform vec4 shadow_shape[MOST_SHADOWS];  // metres across, tangent of the radius, texels across
-uniform float light_shadow[MAX_LIGHTS];   // the map of a lamp; -1: none
+uniform float shadow_lamp[MOST_SHADOWS];  // the lamp of a map; -1: none
 uniform int sun_shadow_count;             // suns 0 to this less 1 have the maps of their numbers
 uniform int key_shadow;                   // the map of ambient_key_direction; -1: none
 uniform float shadow_turn;                // of the taps, in turns: another in each draw of many

@@ -86,6 +86,14 @@ Real roughness_under_disc(Real roughness, float radius) {
     return sqrt(sqrt(alpha * alpha + radius * radius * 0.125f));
 }
 
+/// The roughness of a surface whose normals vary within what is seen as one point. variance: of the
+/// unit normals there, 1 - |their mean|^2, which for small tilts is twice that of the slopes along
+/// one axis, as alpha^2 is of a Gaussian. After Marc Olano and Dan Baker, "LEAN mapping", 2010.
+Real roughness_with_variance(Real roughness, Real variance) {
+    Real alpha = alpha_from_roughness(roughness);
+    return sqrt(sqrt(min(alpha * alpha + variance, 1.0f)));
+}
+
 /// The distribution DISTRIBUTION_...
 Real distribution(int term, Real n_dot_h, Real alpha) {
     if (term == DISTRIBUTION_BECKMANN) return distribution_beckmann(n_dot_h, alpha);

@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -104,6 +105,50 @@ void frame_bare(benchmark::State& run) {
     }
 }
 BENCHMARK(frame_bare)->Name("frame/bare/1280x720")->Unit(benchmark::kMillisecond);
+
+/// Points all around the model, which together are as bright as one.
+std::vector<Light> ring_of_lights(const Bounds& bounds, int count) {
+    std::vector<Light> lights;
+    for (int i = 0; i < count; ++i) {
+        const float turn = 2.399963f * static_cast<float>(i);  // the golden angle
+        const glm::vec3 offset(std::cos(turn), 1.0f, std::sin(turn));
+        lights.push_back({.kind = Light::Kind::Point,
+                          .name = "point",
+                          .intensity = 4.0f / static_cast<float>(count),
+                          .position_world = bounds.center() + 2.0f * bounds.radius() * offset});
+    }
+    return lights;
+}
+
+/// A model under many lamps, by way of the G-buffer or lit as it is drawn.
+void lights(benchmark::State& run, RenderPath path) {
+    const gl::HeadlessContext context = headless();
+    Renderer renderer = value_or_exit(Renderer::create());
+    value_or_exit(renderer.set_scene(shader_ball_scene()).map([] { return 0; }));
+    value_or_exit(
+        renderer
+            .set_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First)))
+            .map([] { return 0; }));
+    View view = view_of(renderer.bounds_world());
+    view.left.path = path;
+    view.lights = ring_of_lights(renderer.bounds_world(), static_cast<int>(run.range(0)));
+    for (auto _ : run) {
+        view.camera = orbited(view.camera, 1.0f, 0.0f);
+        benchmark::DoNotOptimize(
+            value_or_exit(renderer.draw(view, {kSize.width / 2, kSize.height / 2})));
+        glFinish();
+    }
+}
+BENCHMARK_CAPTURE(lights, deferred, RenderPath::Deferred)
+    ->Name("lights/deferred/640x360")
+    ->RangeMultiplier(4)
+    ->Range(1, kMaxLights)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lights, forward, RenderPath::Forward)
+    ->Name("lights/forward/640x360")
+    ->RangeMultiplier(4)
+    ->Range(1, kMaxLights)
+    ->Unit(benchmark::kMillisecond);
 
 void filter(benchmark::State& run, FilterQuality quality) {
     for (auto _ : run)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -48,20 +50,26 @@ void draw_table(Ui& ui, Rect& rest, const render::View& view, const std::vector<
     }
 }
 
+constexpr std::string_view kNoPass = "\u2013";
+
 std::string pass_ms(const render::SideCost& cost, std::string_view name) {
     const auto found =
         std::find_if(cost.passes.begin(), cost.passes.end(),
                      [name](const render::PassCost& pass) { return pass.name == name; });
-    return found == cost.passes.end() ? "\u2013" : number_text(found->gpu_ms);
+    return found == cost.passes.end() ? std::string(kNoPass) : number_text(found->gpu_ms);
 }
 
 std::vector<TableRow> cost_rows(const render::FrameStats& stats) {
     const render::SideCost& left = stats.left;
     const render::SideCost right = stats.right.value_or(render::SideCost{});
     std::vector<TableRow> rows;
-    for (const render::PassCost& pass : left.passes)
+    const auto add_row = [&](std::string_view pass) {
         rows.push_back(
-            {std::string(pass.name) + ", ms", pass_ms(left, pass.name), pass_ms(right, pass.name)});
+            {std::string(pass) + ", ms", pass_ms(left, pass), pass_ms(right, pass), false});
+    };
+    for (const render::PassCost& pass : left.passes) add_row(pass.name);
+    for (const render::PassCost& pass : right.passes)
+        if (pass_ms(left, pass.name) == kNoPass) add_row(pass.name);
     rows.push_back({"Frame, ms", number_text(left.frame_ms), number_text(right.frame_ms), true});
     const auto mb = [](std::size_t bytes) {
         return number_text(static_cast<double>(bytes) / 1e6, {.decimals = 1});
@@ -122,6 +130,18 @@ void draw_comparison(Ui& ui, Rect& rest, const ComparisonShown& comparison, View
     figure("Largest", stats.largest);
 }
 
+/// How a side is shaded, and by which passes.
+void choose_side(Ui& ui, Rect line_box, const ComboSpec& spec, render::Shading& shading) {
+    const std::string path_label = fmt::format("{} path", spec.label);
+    const Rect path_box = line_box.cut_right(ui.px(92));
+    line_box.cut_right(ui.px(4));
+    if (const auto model = choice_combo(ui, line_box, spec, render::kShadingModels, shading.model))
+        shading.model = *model;
+    if (const auto path =
+            choice_combo(ui, path_box, {.label = path_label}, render::kRenderPaths, shading.path))
+        shading.path = *path;
+}
+
 }  // namespace
 
 Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState& state) {
@@ -132,12 +152,8 @@ Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewStat
     const float top = rest.y0;
     rest.cut_top(ui.px(10));
     const auto line_box = [&] { return next_line(ui, rest).inset(ui.px(12), 0); };
-    if (const auto left = choice_combo(ui, line_box(), {.label = "Left", .shown_label = "Left"},
-                                       render::kShadingModels, view.left.model))
-        view.left.model = *left;
-    if (const auto right = choice_combo(ui, line_box(), {.label = "Right", .shown_label = "Right"},
-                                        render::kShadingModels, view.right.model))
-        view.right.model = *right;
+    choose_side(ui, line_box(), {.label = "Left", .shown_label = "Left"}, view.left);
+    choose_side(ui, line_box(), {.label = "Right", .shown_label = "Right"}, view.right);
     const auto range = number_field(ui, line_box(),
                                     {.label = "Heat up to",
                                      .shown_label = "Heat up to",

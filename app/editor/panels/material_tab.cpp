@@ -6,6 +6,7 @@
 #include "document/edits.h"
 #include "document/stack_tree.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/light_fields.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -128,7 +129,9 @@ Requests draw_light(Ui& ui, Rect& rest, const Light& light, int index) {
     if (line_box.width() < ui.px(110)) spec.shown_label = {};
     if (const auto v = number_field(ui, line_box, spec, static_cast<double>(light.intensity)))
         changed.intensity = static_cast<float>(*v);
-    if (!(changed == light)) requests.edit(set_light(index, changed));
+    const Light placed = light_fields(ui, rest, changed);
+    rest.cut_top(ui.px(4));
+    if (!(placed == light)) requests.edit(set_light(index, placed));
     return requests;
 }
 
@@ -142,6 +145,10 @@ Requests draw_lights(Ui& ui, Rect& rest, const Document& document, ViewState& vi
         Light light;
         light.intensity = 2.0f;
         light.direction_world = glm::normalize(glm::vec3(-0.5f, -1.0f, -0.6f));
+        // Should it become one that stands somewhere: outside of the model, where it shines from.
+        const Bounds& bounds = document.scene->bounds_world;
+        if (!bounds.empty())
+            light.position_world = bounds.center() - 2.0f * bounds.radius() * light.direction_world;
         requests.edit(add_light(light));
     }
     const std::string count = document.lights.empty() ? "" : std::to_string(document.lights.size());

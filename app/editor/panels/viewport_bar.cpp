@@ -133,6 +133,20 @@ Requests environment_combo(Ui& ui, const Rect& rect, bool wide, const Shown& sho
     return requests;
 }
 
+/// Of each side that is on screen, whether it is drawn without a G-buffer.
+void path_items(PopupMenu& menu, render::View& view) {
+    constexpr std::string_view tooltip =
+        "Each fragment is lit as it is drawn: the same picture at another cost";
+    const auto item = [&](std::string_view label, render::Shading& shading) {
+        const bool forward = shading.path == render::RenderPath::Forward;
+        if (menu.item({.label = label, .ticked = forward, .tooltip = tooltip}))
+            shading.path = forward ? render::RenderPath::Deferred : render::RenderPath::Forward;
+    };
+    if (view.compare == render::CompareMode::Single) return item("Forward path", view.left);
+    item("Forward path, left", view.left);
+    item("Forward path, right", view.right);
+}
+
 void background_menu(Ui& ui, ViewState& state) {
     PopupMenu menu(ui, "view menu", 190);
     if (!menu.open()) return;
@@ -144,12 +158,18 @@ void background_menu(Ui& ui, ViewState& state) {
                        .tooltip = choice.tooltip}))
             view.background.kind = choice.value;
     menu.separator();
+    path_items(menu, view);
+    menu.separator();
     if (menu.item({.label = "Shadows",
                    .ticked = view.shadows,
                    .tooltip = "Of suns in the environment, directional lights and Phong's light"}))
         view.shadows = !view.shadows;
     if (menu.item({.label = "Ground shadow", .ticked = view.ground_shadow}))
         view.ground_shadow = !view.ground_shadow;
+    if (menu.item({.label = "Filter normal maps",
+                   .ticked = view.filter_normals,
+                   .tooltip = "What is finer than a pixel makes it rougher, instead of glinting"}))
+        view.filter_normals = !view.filter_normals;
     const bool smooth = view.anti_aliasing == render::AntiAliasing::Fast;
     if (menu.item({.label = "Smooth edges", .ticked = smooth}))
         view.anti_aliasing = smooth ? render::AntiAliasing::None : render::AntiAliasing::Fast;

@@ -3,6 +3,7 @@
 // meaning of Real. Every file of shaders/shared/ but the GLSL prelude stands in both lists.
 
 #undef SHARED_ADJUST_GLSL
+#undef SHARED_AREA_LIGHT_GLSL
 #undef SHARED_BLEND_COLOR_GLSL
 #undef SHARED_BLEND_GLSL
 #undef SHARED_BRDF_GLSL
@@ -22,6 +23,7 @@
 #undef SHARED_TRANSCENDENTAL_GLSL
 
 #include "shared/adjust.glsl"
+#include "shared/area_light.glsl"
 #include "shared/blend.glsl"
 #include "shared/blend_color.glsl"
 #include "shared/brdf.glsl"

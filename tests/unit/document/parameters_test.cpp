@@ -112,6 +112,11 @@ TEST(Parameters, StandardsAreThoseOfNewValues) {
     EXPECT_EQ(standard(Parameter::MaterialAlphaCutoff), material.alpha_cutoff);
     EXPECT_EQ(standard(Parameter::MaterialEmissiveStrength), material.emissive_strength);
     EXPECT_EQ(standard(Parameter::LayerOpacity), Layer{}.opacity);
+    const Light light;
+    EXPECT_FLOAT_EQ(static_cast<float>(standard(Parameter::LightRadius)), light.radius_m);
+    EXPECT_EQ(standard(Parameter::LightWidth), light.width_m);
+    EXPECT_EQ(standard(Parameter::LightHeight), light.height_m);
+    EXPECT_EQ(standard(Parameter::LightTurn), light.turn_radians);
 }
 
 TEST(Parameters, ChoicesHaveUniqueIdsThatReadBack) {

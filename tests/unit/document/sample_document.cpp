@@ -175,10 +175,14 @@ std::vector<RampStop> some_ramp(const Target& t) {
 
 Light some_light(const Target& t) {
     Light light;
-    light.kind = static_cast<Light::Kind>(t.choices.below(3));
+    light.kind = static_cast<Light::Kind>(t.choices.below(5));
     light.color_linear = t.color();
     light.intensity = t.choices.number(0, 1000);
     light.direction_world = t.color();
+    light.radius_m = t.choices.number(0, 10);
+    light.width_m = t.choices.number(0, 10);
+    light.height_m = t.choices.number(0, 10);
+    light.turn_radians = t.choices.number(-4, 4);
     return light;
 }
 

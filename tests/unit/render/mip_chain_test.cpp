@@ -17,7 +17,8 @@ Image bytes_image(int width, int height, int channels, const std::vector<std::ui
 }
 
 TEST(MipChain, GoesDownToOneTexel) {
-    const MipChain chain = mip_chain(bytes_image(5, 3, 1, std::vector<std::uint8_t>(15, 7)), false);
+    const MipChain chain =
+        mip_chain(bytes_image(5, 3, 1, std::vector<std::uint8_t>(15, 7)), TexelMeaning::Linear);
     ASSERT_EQ(chain.levels.size(), 3u);
     EXPECT_EQ(chain.levels[1].width, 2);
     EXPECT_EQ(chain.levels[1].height, 1);
@@ -25,21 +26,40 @@ TEST(MipChain, GoesDownToOneTexel) {
 }
 
 TEST(MipChain, GreyFillsRedGreenAndBlueAndMissingAlphaIsOne) {
-    const MipChain chain = mip_chain(bytes_image(1, 1, 1, {90}), false);
+    const MipChain chain = mip_chain(bytes_image(1, 1, 1, {90}), TexelMeaning::Linear);
     EXPECT_EQ(chain.levels[0].bytes, (std::vector<std::uint8_t>{90, 90, 90, 255}));
 }
 
 TEST(MipChain, SrgbIsAveragedInLinearLight) {
     // Half black, half white is 0.5 linear, which sRGB encodes as 188 (IEC 61966-2-1).
-    const MipChain chain = mip_chain(bytes_image(2, 1, 1, {0, 255}), true);
+    const MipChain chain = mip_chain(bytes_image(2, 1, 1, {0, 255}), TexelMeaning::Srgb);
     EXPECT_EQ(chain.levels[1].bytes[0], 188);
-    const MipChain data = mip_chain(bytes_image(2, 1, 1, {0, 255}), false);
+    const MipChain data = mip_chain(bytes_image(2, 1, 1, {0, 255}), TexelMeaning::Linear);
     EXPECT_EQ(data.levels[1].bytes[0], 128);
 }
 
 TEST(MipChain, EveryTexelOfAnOddSideIsInTheMean) {
-    const MipChain chain = mip_chain(bytes_image(3, 1, 1, {0, 30, 60}), false);
+    const MipChain chain = mip_chain(bytes_image(3, 1, 1, {0, 30, 60}), TexelMeaning::Linear);
     EXPECT_EQ(chain.levels[1].bytes[0], 30);
+}
+
+TEST(MipChain, BesideNormalsStandsHowMuchTheyVaryWithinATexel) {
+    // Two tilts of 45 degrees to either side: their mean is 1 / sqrt(2) long.
+    const std::uint8_t low = 37, high = 218;
+    const MipChain chain =
+        mip_chain(bytes_image(2, 1, 3, {low, 128, high, high, 128, high}), TexelMeaning::Normals);
+    EXPECT_EQ(chain.levels[0].bytes[3], 0);
+    EXPECT_NEAR(chain.levels[1].bytes[3] / 255.0, std::sqrt(0.5), 0.01);
+    // The same again: what varies within a texel is not forgotten in the next level.
+    const MipChain twice = mip_chain(
+        bytes_image(4, 1, 3, {low, 128, high, high, 128, high, low, 128, high, high, 128, high}),
+        TexelMeaning::Normals);
+    EXPECT_EQ(twice.levels[2].bytes[3], twice.levels[1].bytes[3]);
+    // A plain slope has none, whatever its alpha was.
+    const MipChain plain = mip_chain(
+        bytes_image(2, 1, 4, {low, 128, high, 200, low, 128, high, 90}), TexelMeaning::Normals);
+    EXPECT_EQ(plain.levels[0].bytes[3], 0);
+    EXPECT_EQ(plain.levels[1].bytes[3], 0);
 }
 
 TEST(MipChain, AnUpdateOfARectangleEqualsAChainMadeAnew) {
@@ -65,9 +85,9 @@ TEST(MipChain, AnUpdateOfARectangleEqualsAChainMadeAnew) {
                 const auto at = static_cast<std::size_t>(y * width * channels + i);
                 after.data[at] = other.data[at];
             }
-        MipChain updated = mip_chain(before, true);
+        MipChain updated = mip_chain(before, TexelMeaning::Srgb);
         update_mip_chain(updated, after, rect);
-        const MipChain rebuilt = mip_chain(after, true);
+        const MipChain rebuilt = mip_chain(after, TexelMeaning::Srgb);
         for (std::size_t i = 0; i < rebuilt.levels.size(); ++i)
             RC_ASSERT(updated.levels[i].bytes == rebuilt.levels[i].bytes);
     }));

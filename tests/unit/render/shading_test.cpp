@@ -194,6 +194,49 @@ TEST_F(ShadingTest, TheEnvironmentTurnsCounterClockwiseFromAbove) {
     EXPECT_NEAR(middle(ChannelView::SpecularAmbient).g, 0.0f, 0.02f);
 }
 
+/// Grooves four texels wide, far finer than a pixel, tilted by `tilt` to either side.
+ImagePtr grooves(float tilt) {
+    constexpr int kSide = 1024;
+    Image image{.width = kSide, .height = kSide, .channels = 3, .type = SampleType::U8, .data = {}};
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            for (const float n :
+                 {(x / 4 + y / 4) % 2 == 0 ? tilt : -tilt, 0.0f, std::sqrt(1.0f - tilt * tilt)})
+                image.data.push_back(static_cast<std::byte>(std::lround(n * 127.5f + 127.5f)));
+    return std::make_shared<const Image>(std::move(image));
+}
+
+TEST_F(ShadingTest, NormalsFinerThanAPixelMakeItRougherByWhatTheyVary) {
+    show(scene_of(shape_mesh(Shape::Plane)));
+    view_.camera = framed(renderer().bounds_world(), 1.0f, ViewDirection::Top);
+    light_by({.name = "sun", .direction_world = {0.0f, -1.0f, 0.0f}});
+    SurfaceMaterial surface = constant_surface(glm::vec3(1.0f), 1.0f, 0.3f);
+    surface[Slot::Normal].texture.pixels = grooves(0.2f);
+    ASSERT_TRUE(renderer().set_material(0, surface));
+    const auto brightness = [&] { return middle(ChannelView::Final).g; };
+    const float filtered = brightness();
+    view_.filter_normals = false;
+    const float unfiltered = brightness();
+    // Head on GGX is 1 / (pi alpha^2): as 0.3^4 to 0.3^4 + 0.2^2.
+    EXPECT_NEAR(filtered / unfiltered, 0.0081f / (0.0081f + 0.04f), 0.02f);
+    view_.filter_normals = true;
+    EXPECT_NEAR(middle(ChannelView::Roughness).x, 0.3f, 1e-3f) << "channels show what is stored";
+}
+
+TEST_F(ShadingTest, FilteredNormalsAreNearWhatManyDrawsOfTheNormalMapComeTo) {
+    show(scene_of(shape_mesh(Shape::Plane)));
+    view_.camera = framed(renderer().bounds_world(), 1.0f, ViewDirection::Top);
+    light_by({.name = "sun", .direction_world = {0.0f, -1.0f, 0.0f}});
+    SurfaceMaterial surface = constant_surface(glm::vec3(1.0f), 1.0f, 0.4f);
+    surface[Slot::Normal].texture.pixels = grooves(0.1f);
+    ASSERT_TRUE(renderer().set_material(0, surface));
+    const float filtered = middle(ChannelView::Final).g;
+    const float truth = pixel_of(value_of(renderer().still_linear(view_, kSize, 256)), 32, 32).g;
+    view_.filter_normals = false;
+    const float unfiltered = middle(ChannelView::Final).g;
+    EXPECT_LT(std::abs(filtered - truth), 0.6f * std::abs(unfiltered - truth));
+}
+
 TEST_F(ShadingTest, TheBackgroundShowsTheEnvironmentBehindTheCamerasTarget) {
     Image map{.width = 64, .height = 32, .channels = 3, .type = SampleType::F32, .data = {}};
     map.data.resize(map.row_bytes() * 32, std::byte{0});

@@ -6,6 +6,7 @@
 #define PROBES_GLSL
 
 #include "shared/adjust.glsl"
+#include "shared/area_light.glsl"
 #include "shared/blend.glsl"
 #include "shared/blend_color.glsl"
 #include "shared/brdf.glsl"
@@ -236,7 +237,7 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
     SplitSumSample table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
                                             alpha_from_roughness(0.2f + 0.8f * b.y));
     Real level = prefiltered_level_share(b.z);
-    return Real4(table.scale + schlick_mean(a.w), table.bias + roughness_under_disc(a.y, 0.1f),
+    return Real4(table.scale + schlick_mean(a.w), table.bias + roughness_under_disc(a.y, 0.1f) + roughness_with_variance(a.y, b.w),
                  point.y + table.light.z, prefiltered_roughness(level) + level);
 }
 
@@ -259,6 +260,36 @@ Real4 probe_relief(Real4 a, Real4 b) {
                  relief_value(RELIEF_CURVATURE, a.w, b.w, 2.0f));
 }
 
+SeenRectangle probe_rectangle(Real4 a, Real4 b) {
+    SeenRectangle r;
+    r.middle = Real3(a.x - 0.5f, a.y - 0.5f, 1.0f + a.z);
+    r.shines = normalize(Real3(b.x - 0.5f, b.y - 0.5f, Real(-1.0f)));
+    Across frame = across_of(r.shines);
+    r.across = frame.x_axis;
+    r.up = frame.y_axis;
+    r.half_width = 0.1f + 0.5f * b.z;
+    r.half_height = 0.1f + 0.5f * b.w;
+    return r;
+}
+
+Real4 probe_area_light(int which, Real4 a, Real4 b) {
+    SeenRectangle r = probe_rectangle(a, b);
+    Real3 towards = normalize(r.middle);
+    if (which == 0)
+        return Real4(sphere_share(1.8f * a.x - 0.9f, 0.05f + 0.7f * a.y),
+                     share_of_vector(rectangle_irradiance(r), probe_normal(b)),
+                     nearest_weight(0.1f + a.z, 0.5f * b.x, 0.5f + b.y), sphere_density(0.1f + a.w));
+    if (which == 1)
+        return Real4(rectangle_direction(Real2(0.05f + 0.9f * a.w, 0.05f + 0.9f * a.x), r),
+                     rectangle_density(towards, r));
+    if (which == 2)
+        return Real4(sphere_direction(Real2(a.w, b.x), towards, 0.1f + 0.8f * b.y),
+                     sphere_is_met(towards, r.middle, Real(0.1f)) + 2.0f * rectangle_is_met(towards, r));
+    Real3 mirrored = probe_normal(b);
+    return Real4(sphere_nearest(r.middle, 0.1f + 0.5f * a.w, mirrored),
+                 rectangle_nearest(r, mirrored).y);
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -271,8 +302,9 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 46) return probe_environment(which - 42, a, b);
     if (which < 48) return probe_adjust(which - 46, a);
     if (which == 48) return probe_heights(a, b);
-    if (which == 50) return probe_relief(a, b);
     if (which == 49) return probe_neighbourhood(a, b);
+    if (which == 50) return probe_relief(a, b);
+    if (which < 55) return probe_area_light(which - 51, a, b);
     return Real4(-1.0f);
 }
 

@@ -62,13 +62,17 @@ inline constexpr Probe kProbes[] = {
     {"heat_map_inferno", 1e-5f},
     {"equirect_direction, sh9_basis, sh9_irradiance_over_pi", 4e-6f},
     {"equirect_uv, cube_texel_solid_angle, cube_direction", 4e-6f},
-    {"split_sum_sample, schlick_mean, roughness_under_disc, prefiltered_roughness", 1e-4f},
+    {"split_sum_sample, schlick_mean, roughness_under_disc, prefiltered_roughness ...", 1e-4f},
     {"sample_ggx_visible_half_vector, ggx_visible_density", 3e-4f},
     {"curve_value, brightened, posterised", 4e-6f},
     {"hue_saturation", 8e-6f},
     {"height_share", 2e-5f},
     {"blur_weight, sharpened, warp_direction", 1e-5f},
     {"relief_value", 2e-6f},
+    {"sphere_share, share_of_vector, nearest_weight, sphere_density", 1e-4f},
+    {"rectangle_direction, rectangle_density", 1e-3f},
+    {"sphere_direction, sphere_is_met, rectangle_is_met", 1e-5f},
+    {"sphere_nearest, rectangle_nearest", 1e-4f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 

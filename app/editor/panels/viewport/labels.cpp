@@ -13,6 +13,7 @@ namespace patina::editor {
 namespace {
 
 std::string_view shading_note(const render::Shading& shading) {
+    if (shading.path == render::RenderPath::Forward) return "forward path";
     if (shading.model != render::ShadingModel::Pbr) return "exponent from roughness";
     if (shading.terms == render::kLectureTerms) return "lecture terms";
     return shading.terms == render::PbrTerms{} ? "glTF 2.0, GGX" : "chosen terms";

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Lamps that have a size. While things move: the diffuse part in closed form, the highlight from the
+// point that stands for the lamp. In stills that converge: directions towards the lamp and of the
+// surface's own lobe, weighted by the balance heuristic as those of environment_samples.glsl are.
+// Constant: AREA_LIGHTS; 0 leaves all of it out, which compiles faster.
+
+#include "passes/environment_samples.glsl"
+#include "passes/lights.glsl"
+#include "passes/lit.glsl"
+
+#if AREA_LIGHTS == 1
+#include "shared/area_light.glsl"
+
+SeenRectangle seen_rectangle(Lamp lamp, vec3 point) {
+    vec3 travel = lamp.direction_size.xyz;
+    return SeenRectangle(lamp.position_kind.xyz - point, lamp.across_size.xyz,
+                         cross(travel, lamp.across_size.xyz), travel, lamp.direction_size.w,
+                         lamp.across_size.w);
+}
+
+/// A lamp that has a size, as a point sees it.
+struct SeenLamp {
+    bool is_sphere;
+    vec3 radiance;
+    SeenRectangle rectangle;  // its middle is that of a sphere too
+    float radius;
+    float sine2;  // of a sphere: (radius / distance)^2
+};
+
+SeenLamp seen_lamp(Lamp lamp, vec3 point) {
+    SeenLamp seen;
+    seen.is_sphere = lamp.position_kind.w == SPHERE;
+    seen.rectangle = seen_rectangle(lamp, point);
+    seen.radius = lamp.direction_size.w;
+    float distance2 = max(dot(seen.rectangle.middle, seen.rectangle.middle), 1e-12);
+    seen.sine2 = min(seen.radius * seen.radius / distance2, 0.9999);
+    seen.radiance = range_window(sqrt(distance2), lamp.color_range.w) * lamp.color_range.rgb;
+    return seen;
+}
+
+/// In closed form, with the point nearest to the mirrored eye for the highlight.
+void add_area_lamp(inout Lit lit, SeenLamp lamp, Surface s, PbrSurface p, vec3 v) {
+    vec3 mirrored = reflect(-v, s.normal);
+    SeenRectangle r = lamp.rectangle;
+    vec3 vector = lamp.is_sphere ? lamp.sine2 * normalize(r.middle) : rectangle_irradiance(r);
+    float facing = length(vector);
+    if (facing <= 0.0) return;
+    vec3 light = PI * lamp.radiance;
+
+    ReflectionAngles angles = reflection_angles(s.normal, v, vector / facing);
+    lit.diffuse_direct += light * share_of_vector(vector, s.normal) *
+                          brdf_diffuse(TERMS, angles, p.diffuse, p.dielectric, s.f90, s.roughness);
+
+    vec3 nearest = lamp.is_sphere ? sphere_nearest(r.middle, lamp.radius, mirrored)
+                                  : rectangle_nearest(r, mirrored);
+    float aspect = lamp.is_sphere ? 1.0 : r.half_width / r.half_height;
+    angles = reflection_angles(s.normal, v, nearest);
+    lit.specular_direct += light * facing * angles.n_dot_l * p.boost *
+                           nearest_weight(alpha_from_roughness(s.roughness), facing, aspect) *
+                           brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
+}
+
+/// Of drawing a direction that meets the lamp.
+float lamp_density(SeenLamp lamp, vec3 direction) {
+    return lamp.is_sphere ? sphere_density(lamp.sine2) : rectangle_density(direction, lamp.rectangle);
+}
+
+/// One draw's share of the light of lamp i.
+void add_sampled_lamp(inout Lit lit, SeenLamp lamp, int i, Surface s, PbrSurface p, vec3 v,
+                      LobeSample lobe[LOBE_SAMPLES]) {
+    SeenRectangle r = lamp.rectangle;
+    if (!lamp.is_sphere && dot(r.middle, r.shines) >= 0.0) return;
+    // Another point of the same sequence for each lamp: Roberts's steps in its third dimension.
+    vec2 u = fract(lobe_point(gl_FragCoord.xy, draw_index) +
+                   float(i + 1) * vec2(0.8191725133961645, 0.6710436067037893));
+    vec3 l = lamp.is_sphere ? sphere_direction(u, normalize(r.middle), lamp.sine2)
+                            : rectangle_direction(u, r);
+    ReflectionAngles angles = reflection_angles(s.normal, v, l);
+    float alpha = alpha_from_roughness(s.roughness);
+    float by_lobe =
+        float(LOBE_SAMPLES) * ggx_visible_density(angles.n_dot_h, angles.n_dot_v, alpha);
+    add_direct_light(lit, s, p, v, l, lamp.radiance / (lamp_density(lamp, l) + by_lobe));
+    for (int k = 0; k < LOBE_SAMPLES; ++k) {
+        if (lobe[k].density == 0.0) continue;
+        float met = lamp.is_sphere ? sphere_is_met(lobe[k].direction, r.middle, lamp.radius)
+                                   : rectangle_is_met(lobe[k].direction, r);
+        if (met == 0.0) continue;
+        float by_either = lamp_density(lamp, lobe[k].direction) +
+                          float(LOBE_SAMPLES) * lobe[k].density;
+        add_direct_light(lit, s, p, v, lobe[k].direction, lamp.radiance / by_either);
+    }
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A surface, and the light that it sends to the eye. Constants: DISTRIBUTION, GEOMETRY, FRESNEL,
+// DIFFUSE, the enumerators of engine/render/shading.h.
+#include "passes/environment.glsl"
+#include "shared/brdf.glsl"
+
+const BrdfTerms TERMS = BrdfTerms(DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE);
+
+/// The lecture's diffuse term is for lamps, whose light it does not divide by pi.
+const BrdfTerms AMBIENT_TERMS = BrdfTerms(
+    DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE == DIFFUSE_LECTURE ? DIFFUSE_LAMBERT : DIFFUSE);
+
+struct Surface {
+    vec3 base_color;
+    float metalness;
+    vec3 normal;  // world, unit
+    float roughness;
+    vec3 f0;
+    float f90;
+    vec3 emissive;
+    float occlusion;
+    vec3 position;  // world
+    bool unlit;
+};
+
+/// Radiance towards the eye, in parts.
+struct Lit {
+    vec3 diffuse_direct;
+    vec3 specular_direct;
+    vec3 diffuse_ambient;
+    vec3 specular_ambient;
+};
+
+/// What physically based shading works with.
+struct PbrSurface {
+    vec3 diffuse;     // colour of the diffuse part
+    vec3 dielectric;  // F0 of what is not metal
+    vec3 boost;       // of the specular part, for light that is scattered several times
+    float n_dot_v;
+    EnvironmentBrdf environment;
+};
+
+/// Adds light of a lamp from one direction; `received` is irradiance on a surface that faces it.
+void add_direct_light(inout Lit lit, Surface s, PbrSurface p, vec3 v, vec3 l, vec3 received) {
+    ReflectionAngles angles = reflection_angles(s.normal, v, l);
+    vec3 light = received * angles.n_dot_l;
+    lit.diffuse_direct +=
+        light * brdf_diffuse(TERMS, angles, p.diffuse, p.dielectric, s.f90, s.roughness);
+    lit.specular_direct += light * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
+}

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+
+/// Lamps that have a size, against sums over the directions towards them in double precision.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <random>
+
+#include "core/formulae/formulae.h"
+
+namespace patina {
+namespace {
+
+using formulae::Real2;
+using formulae::Real3;
+using formulae::SeenRectangle;
+
+constexpr double kPi = 3.14159265358979323846;
+
+Real3 real3(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+glm::dvec3 dvec3(const Real3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// The integral of f over the sphere's directions, by rings about its middle.
+template <typename Function>
+double over_sphere(const glm::dvec3& towards, double sine2, const Function& f) {
+    constexpr int kRings = 400, kTurns = 400;
+    const glm::dvec3 x = glm::normalize(glm::cross(towards, glm::dvec3(0.31, 0.59, -0.74)));
+    const glm::dvec3 y = glm::cross(towards, x);
+    const double height = 1.0 - std::sqrt(1.0 - sine2);
+    double sum = 0.0;
+    for (int i = 0; i < kRings; ++i) {
+        const double c = 1.0 - height * (i + 0.5) / kRings;
+        const double s = std::sqrt(1.0 - c * c);
+        for (int j = 0; j < kTurns; ++j) {
+            const double phi = 2.0 * kPi * (j + 0.5) / kTurns;
+            sum += f(c * towards + s * (std::cos(phi) * x + std::sin(phi) * y));
+        }
+    }
+    return sum * 2.0 * kPi * height / (kRings * kTurns);
+}
+
+/// The integral of f over the directions towards a rectangle, by its area.
+template <typename Function>
+double over_rectangle(const SeenRectangle& r, const Function& f) {
+    constexpr int kSide = 500;
+    double sum = 0.0;
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const double u = (2.0 * i + 1.0) / kSide - 1.0;
+            const double v = (2.0 * j + 1.0) / kSide - 1.0;
+            const glm::dvec3 point = dvec3(r.middle) + u * double{r.half_width} * dvec3(r.across) +
+                                     v * double{r.half_height} * dvec3(r.up);
+            const double distance = glm::length(point);
+            const double leaving = -glm::dot(point, dvec3(r.shines)) / distance;
+            if (leaving > 0.0) sum += f(point / distance) * leaving / (distance * distance);
+        }
+    return sum * 4.0 * double{r.half_width} * double{r.half_height} / (kSide * kSide);
+}
+
+SeenRectangle rectangle(const glm::dvec3& middle, const glm::dvec3& shines, double turn,
+                        double width, double height) {
+    const glm::dvec3 z = glm::normalize(shines);
+    const glm::dvec3 x = glm::normalize(glm::cross(z, glm::dvec3(0.2, 0.9, 0.1)));
+    const glm::dvec3 across = std::cos(turn) * x + std::sin(turn) * glm::cross(z, x);
+    SeenRectangle r;
+    r.middle = real3(middle);
+    r.shines = real3(z);
+    r.across = real3(across);
+    r.up = real3(glm::cross(z, across));
+    r.half_width = static_cast<float>(0.5 * width);
+    r.half_height = static_cast<float>(0.5 * height);
+    return r;
+}
+
+std::vector<SeenRectangle> some_rectangles() {
+    return {rectangle({0.0, 0.0, 2.0}, {0.0, 0.0, -1.0}, 0.0, 1.0, 1.0),
+            rectangle({0.5, -0.3, 0.7}, {-0.4, 0.5, -1.0}, 0.7, 2.0, 0.5),
+            rectangle({0.1, 0.2, 0.3}, {0.0, 0.1, -1.0}, 1.1, 3.0, 2.0),
+            rectangle({-2.0, 1.0, 1.5}, {1.0, -1.0, -0.2}, -0.4, 0.4, 1.5),
+            rectangle({3.0, 1.0, 4.0}, {-1.0, 0.0, -1.0}, 0.2, 0.3, 0.2)};
+}
+
+TEST(AreaLight, ASphereGivesASurfaceTheIntegralOfItsCosineEvenPartlyBelowTheHorizon) {
+    for (const double sine2 : {1e-3, 0.04, 0.3, 0.8})
+        for (double angle = 0.05; angle < 3.1; angle += 0.31) {
+            const glm::dvec3 towards(std::sin(angle), 0.0, std::cos(angle));
+            const double expected =
+                over_sphere(towards, sine2,
+                            [](const glm::dvec3& l) { return std::max(l.z, 0.0); }) /
+                kPi;
+            const float share = formulae::sphere_share(static_cast<float>(std::cos(angle)),
+                                                       static_cast<float>(sine2));
+            EXPECT_NEAR(share, expected, 2e-4 * sine2 + 2e-6) << sine2 << " " << angle;
+        }
+}
+
+TEST(AreaLight, ARectanglesIrradianceVectorIsTheIntegralOfItsDirections) {
+    for (const SeenRectangle& r : some_rectangles()) {
+        const glm::dvec3 vector = dvec3(formulae::rectangle_irradiance(r));
+        for (int c = 0; c < 3; ++c) {
+            const double expected =
+                over_rectangle(r, [c](const glm::dvec3& l) { return l[c]; }) / kPi;
+            EXPECT_NEAR(vector[c], expected, 1e-4);
+        }
+    }
+}
+
+TEST(AreaLight, ARectangleAboveTheHorizonGivesTheIntegralOfItsCosine) {
+    const SeenRectangle r = some_rectangles()[0];
+    for (const glm::dvec3 n : {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.6, 0.0, 0.8)}) {
+        const double expected =
+            over_rectangle(r, [n](const glm::dvec3& l) { return std::max(glm::dot(l, n), 0.0); }) /
+            kPi;
+        EXPECT_NEAR(formulae::share_of_vector(formulae::rectangle_irradiance(r), real3(n)),
+                    expected, 2e-5);
+    }
+}
+
+TEST(AreaLight, ARectanglePartlyBelowTheHorizonIsTakenForASphereWithinATwentieth) {
+    for (const SeenRectangle& r : some_rectangles())
+        for (double angle = 0.0; angle < 3.1; angle += 0.2) {
+            const glm::dvec3 n(std::sin(angle), 0.3, std::cos(angle));
+            const glm::dvec3 unit = glm::normalize(n);
+            const double expected =
+                over_rectangle(
+                    r, [unit](const glm::dvec3& l) { return std::max(glm::dot(l, unit), 0.0); }) /
+                kPi;
+            EXPECT_NEAR(formulae::share_of_vector(formulae::rectangle_irradiance(r), real3(unit)),
+                        expected, 0.05);
+        }
+}
+
+TEST(AreaLight, ARectangleDoesNotShineBackwards) {
+    SeenRectangle r = some_rectangles()[1];
+    r.shines = -r.shines;
+    EXPECT_EQ(formulae::length(formulae::rectangle_irradiance(r)), 0.0f);
+    EXPECT_EQ(formulae::rectangle_is_met(formulae::normalize(r.middle), r), 0.0f);
+}
+
+TEST(AreaLight, FarAwayASphereAndARectangleAreAsBrightAsAPointOfTheirIntensity) {
+    for (const double distance : {3.0, 30.0, 300.0}) {
+        // Intensity 1: radiance 1 / (pi r^2), and 1 / (width x height). Irradiance is intensity /
+        // distance^2, to the second order of size / distance.
+        const double radius = 0.1;
+        const auto sine2 = static_cast<float>(radius * radius / (distance * distance));
+        const double sphere = double{formulae::sphere_share(1.0f, sine2)} / (radius * radius);
+        EXPECT_NEAR(sphere * distance * distance, 1.0, 1e-3);
+        const SeenRectangle r = rectangle({0.0, 0.0, distance}, {0.0, 0.0, -1.0}, 0.3, 0.2, 0.1);
+        const double flat = kPi * glm::length(dvec3(formulae::rectangle_irradiance(r))) / 0.02;
+        EXPECT_NEAR(flat * distance * distance, 1.0, 2e-3);
+    }
+}
+
+TEST(AreaLight, SphereDirectionsMeetItAndTheirMeanIsTheIntegral) {
+    for (const float sine2 : {0.002f, 0.3f, 0.95f}) {
+        const glm::dvec3 towards = glm::normalize(glm::dvec3(0.3, -0.5, 0.4));
+        const glm::dvec3 n = glm::normalize(glm::dvec3(0.1, 0.2, 0.9));
+        constexpr int kSide = 200;
+        double sum = 0.0;
+        for (int i = 0; i < kSide; ++i)
+            for (int j = 0; j < kSide; ++j) {
+                const Real3 l =
+                    formulae::sphere_direction(Real2((static_cast<float>(i) + 0.5f) / kSide,
+                                                     (static_cast<float>(j) + 0.5f) / kSide),
+                                               real3(towards), sine2);
+                ASSERT_NEAR(formulae::length(l), 1.0f, 1e-5f);
+                ASSERT_EQ(formulae::sphere_is_met(l, real3(2.0 * towards),
+                                                  2.0f * std::sqrt(sine2) * 1.001f),
+                          1.0f);
+                sum += std::max(glm::dot(dvec3(l), n), 0.0);
+            }
+        const double mean = sum / (kSide * kSide * double{formulae::sphere_density(sine2)});
+        const double expected = over_sphere(towards, double{sine2}, [n](const glm::dvec3& l) {
+            return std::max(glm::dot(l, n), 0.0);
+        });
+        EXPECT_NEAR(mean, expected, 1e-3 * expected + 1e-6) << sine2;
+    }
+}
+
+TEST(AreaLight, RectangleDirectionsMeetItAndTheirMeanIsTheIntegral) {
+    for (const SeenRectangle& r : some_rectangles()) {
+        const glm::dvec3 n = glm::normalize(glm::dvec3(0.1, 0.2, 0.9));
+        constexpr int kSide = 200;
+        double sum = 0.0;
+        for (int i = 0; i < kSide; ++i)
+            for (int j = 0; j < kSide; ++j) {
+                const Real3 l =
+                    formulae::rectangle_direction(Real2((static_cast<float>(i) + 0.5f) / kSide,
+                                                        (static_cast<float>(j) + 0.5f) / kSide),
+                                                  r);
+                SeenRectangle wider = r;
+                wider.half_width *= 1.001f;
+                wider.half_height *= 1.001f;
+                ASSERT_EQ(formulae::rectangle_is_met(l, wider), 1.0f);
+                sum += std::max(glm::dot(dvec3(l), n), 0.0) /
+                       double{formulae::rectangle_density(l, r)};
+            }
+        const double expected =
+            over_rectangle(r, [n](const glm::dvec3& l) { return std::max(glm::dot(l, n), 0.0); });
+        EXPECT_NEAR(sum / (kSide * kSide), expected, 2e-3 * expected + 1e-6);
+    }
+}
+
+TEST(AreaLight, TheSolidAngleOfARectangleIsThatOfItsTwoTriangles) {
+    // A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983.
+    const auto triangle = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        const double numerator = std::abs(glm::dot(a, glm::cross(b, c)));
+        const double denominator =
+            glm::length(a) * glm::length(b) * glm::length(c) + glm::dot(a, b) * glm::length(c) +
+            glm::dot(a, c) * glm::length(b) + glm::dot(b, c) * glm::length(a);
+        return 2.0 * std::atan2(numerator, denominator);
+    };
+    for (const SeenRectangle& r : some_rectangles()) {
+        const glm::dvec3 x = double{r.half_width} * dvec3(r.across);
+        const glm::dvec3 y = double{r.half_height} * dvec3(r.up);
+        const glm::dvec3 m = dvec3(r.middle);
+        const double expected =
+            triangle(m - x - y, m + x - y, m + x + y) + triangle(m - x - y, m + x + y, m - x + y);
+        EXPECT_NEAR(formulae::spherical_rectangle(r).solid_angle, expected, 5e-6);
+    }
+}
+
+TEST(AreaLight, AHighlightInTheMiddleOfADiscHasTheShareOfGgxThatLiesWithinIt) {
+    // n, v and the middle are one; the half vectors of a disc of share s fill one of share s / 4.
+    for (const float alpha : {0.01f, 0.1f, 0.5f})
+        for (const float share : {0.0001f, 0.01f, 0.2f}) {
+            const double within =
+                0.25 * double{share} / (0.25 * double{share} + double{alpha} * double{alpha});
+            const double point =
+                double{share} * kPi * double{formulae::distribution_ggx(1.0f, alpha)} / 4.0;
+            EXPECT_NEAR(point * double{formulae::nearest_weight(alpha, share, 1.0f)}, within,
+                        1e-3 * within);
+        }
+}
+
+TEST(AreaLight, TheNearestPointOfALightIsTheMirroredDirectionWhereThatMeetsIt) {
+    const SeenRectangle r = some_rectangles()[1];
+    const Real3 inside = formulae::normalize(r.middle + r.across * (0.5f * r.half_width));
+    EXPECT_NEAR(formulae::dot(formulae::rectangle_nearest(r, inside), inside), 1.0f, 1e-6f);
+    const Real3 outside = formulae::normalize(r.middle + r.across * (3.0f * r.half_width));
+    const Real3 edge = formulae::normalize(r.middle + r.across * r.half_width);
+    EXPECT_NEAR(formulae::dot(formulae::rectangle_nearest(r, outside), edge), 1.0f, 1e-6f);
+    const Real3 middle(0.0f, 0.0f, 2.0f);
+    const Real3 near = formulae::normalize(Real3(0.1f, 0.0f, 1.0f));
+    EXPECT_NEAR(formulae::dot(formulae::sphere_nearest(middle, 0.5f, near), near), 1.0f, 1e-6f);
+}
+
+TEST(AreaLight, TheFrameAcrossADirectionIsUnitRightHandedAndSquare) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 z = glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+        const formulae::Across frame = formulae::across_of(real3(z));
+        const glm::dvec3 x = dvec3(frame.x_axis);
+        const glm::dvec3 y = dvec3(frame.y_axis);
+        EXPECT_NEAR(glm::length(x), 1.0, 1e-5);
+        EXPECT_NEAR(glm::dot(x, z), 0.0, 1e-5);
+        EXPECT_NEAR(glm::length(glm::cross(x, y) - z), 0.0, 1e-5);
+    }
+}
+
+}  // namespace
+}  // namespace patina
