@@ -6,6 +6,7 @@
 #include "core/files.h"
 #include "document/edits.h"
 #include "document/layer_json.h"
+#include "document/record.h"
 #include "io/texture_folder.h"
 
 namespace patina::cli {
@@ -118,6 +119,19 @@ void add_change_options(CLI::App& app, Changes& changes) {
            "'*' is every material")
         ->allow_extra_args(false)
         ->type_name("MATERIAL/LAYER/PARAMETER=VALUE");
+    app.add_option_function<std::vector<std::string>>(
+           "--light",
+           [&changes](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   auto light = light_from_json(text);
+                   if (!light) throw CLI::ValidationError("--light", light.error().message);
+                   changes.lights.push_back(std::move(*light));
+               }
+           },
+           "One more lamp, as JSON. Kinds: directional, point, spot, sphere, rectangle:\n"
+           R"({"kind":"sphere","position":[1,2,1],"intensity":20,"radius":0.3})")
+        ->allow_extra_args(false)
+        ->type_name("JSON");
 }
 
 namespace {
@@ -136,6 +150,11 @@ Status apply_changes(io::LoadedDocument& loaded, const Changes& changes, bool qu
     }
     for (const Setting& setting : changes.settings) {
         auto edited = with_setting(*loaded.document, setting);
+        if (!edited) return passed_on(edited);
+        apply(loaded, std::move(*edited));
+    }
+    for (const Light& light : changes.lights) {
+        auto edited = add_light(light).apply(*loaded.document);
         if (!edited) return passed_on(edited);
         apply(loaded, std::move(*edited));
     }

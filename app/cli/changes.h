@@ -2,7 +2,7 @@
 #pragma once
 
 /// What the command line lays on a document before it is baked or drawn: folders of textures,
-/// presets, layers and single values, in this order.
+/// presets, layers, single values and lights, in this order.
 
 #include <CLI/CLI.hpp>
 
@@ -22,10 +22,11 @@ struct Changes {
     PresetRequests presets;
     std::vector<LayRequest> layers;  ///< files of JSON, or JSON itself
     std::vector<Setting> settings;
+    std::vector<Light> lights;  ///< added to those of the file
 };
 
-/// `--textures`, `--preset`, `--knob`, `--layer` and `--set`, each of which may be given several
-/// times.
+/// `--textures`, `--preset`, `--knob`, `--layer`, `--set` and `--light`, each of which may be given
+/// several times.
 void add_change_options(CLI::App& app, Changes& changes);
 
 /// Opens a file and lays the changes on.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.h"
@@ -30,6 +31,11 @@ constexpr const char* kFooter =
     "  patina render model.glb --shading split --divider 0.4 -o pbr-beside-phong.png\n"
     "  patina render model.glb --channel roughness --size 512x512 -o roughness.png\n"
     "  patina render model.glb --channel strip --size 320x240 -o channels.png\n"
+    "  patina render model.glb --turntable 36 -o spin.png\n"
+    "  patina render model.glb --shading difference --against pbr --against-path forward -o d.png\n"
+    "  patina render model.glb --light "
+    "'{\"kind\":\"sphere\",\"position\":[1,2,1],\"radius\":0.3}'\n"
+    "      --samples 256 -o lamp.png\n"
     "  patina render model.glb --environment garden.hdr --background environment\n"
     "      --camera-position 2,1,3 --camera-target 0,0.5,0 --fov-y 35 --samples 64 -o picture.exr";
 
@@ -76,6 +82,9 @@ struct RenderOptions {
     std::optional<glm::vec3> camera_position;
     std::optional<glm::vec3> camera_target;
     std::optional<glm::vec3> camera_up;
+    std::optional<render::RenderPath> against_path;
+    std::optional<int> turntable;
+    std::vector<std::function<void(render::PbrTerms&)>> term_changes;
     bool strip = false;
     render::OffscreenRequest request;
     WorkOptions work;
@@ -126,18 +135,37 @@ void set_camera(const RenderOptions& options, const Document& document,
     camera.target = options.camera_target.value_or(document.scene->bounds_world.center());
 }
 
-Result<render::RenderedImage> rendered(const RenderOptions& options, const Progress& progress) {
+/// Draws what was asked for, and hands each picture to `each`.
+Status draw_pictures(const RenderOptions& options, const render::EachPicture& each,
+                     const Progress& progress) {
     auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
     render::OffscreenRequest request = options.request;
     request.environment_cache = render::user_environment_cache();
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
-    if (const Status lit = set_environment(options, *loaded, request); !lit) return passed_on(lit);
+    if (const Status lit = set_environment(options, *loaded, request); !lit) return lit;
     set_camera(options, *loaded->document, request);
-    if (options.strip)
-        return render::render_strip_offscreen(*loaded->document, *loaded->images, request,
-                                              request.size, progress);
-    return render::render_offscreen(*loaded->document, *loaded->images, request, progress);
+    for (const auto& change : options.term_changes) {
+        change(request.view.left.terms);
+        change(request.view.right.terms);
+    }
+    if (options.against_path) request.view.right.path = *options.against_path;
+    if (!options.strip)
+        return render::render_turntable_offscreen(*loaded->document, *loaded->images, request,
+                                                  options.turntable.value_or(1), each, progress);
+    auto strip = render::render_strip_offscreen(*loaded->document, *loaded->images, request,
+                                                request.size, progress);
+    if (!strip) return passed_on(strip);
+    return each(0, *strip);
+}
+
+/// The file of one picture of a turntable: spin.png becomes spin-000.png.
+std::filesystem::path output_path(const RenderOptions& options, int index) {
+    if (!options.turntable) return options.output;
+    std::filesystem::path path = options.output;
+    path.replace_filename(fmt::format("{}-{:03}{}", options.output.stem().string(), index,
+                                      options.output.extension().string()));
+    return path;
 }
 
 nlohmann::ordered_json to_json(const render::SideCost& cost) {
@@ -149,8 +177,9 @@ nlohmann::ordered_json to_json(const render::SideCost& cost) {
             {"environment_bytes", cost.environment_bytes}};
 }
 
-nlohmann::ordered_json to_json(const RenderOptions& options, const render::RenderedImage& picture) {
-    nlohmann::ordered_json json = {{"output", options.output.string()},
+nlohmann::ordered_json to_json(const std::filesystem::path& path,
+                               const render::RenderedImage& picture) {
+    nlohmann::ordered_json json = {{"output", path.string()},
                                    {"width", picture.image.width},
                                    {"height", picture.image.height},
                                    {"triangles", picture.stats.triangles},
@@ -163,23 +192,32 @@ nlohmann::ordered_json to_json(const RenderOptions& options, const render::Rende
     return json;
 }
 
+void print(const nlohmann::ordered_json& pictures, const RenderOptions& options) {
+    if (options.work.json) {
+        fmt::print("{}\n", (options.turntable ? pictures : pictures.front()).dump(2));
+    } else if (!options.work.quiet) {
+        for (const auto& picture : pictures)
+            fmt::print("{}: {}x{}, {:.0f} ms\n", picture["output"].get<std::string>(),
+                       picture["width"].get<int>(), picture["height"].get<int>(),
+                       picture["bake_ms"].get<double>() + picture["environment_ms"].get<double>() +
+                           picture["render_ms"].get<double>());
+    }
+}
+
 Status run_render(const RenderOptions& options) {
     const ThreadScope threads(options.work);
     const Progress progress;
-    Result<render::RenderedImage> picture;
+    nlohmann::ordered_json pictures = nlohmann::ordered_json::array();
+    const auto write = [&](int index, render::RenderedImage& picture) {
+        const std::filesystem::path path = output_path(options, index);
+        pictures.push_back(to_json(path, picture));
+        return io::write_image_file(path, picture.image);
+    };
     {
         const ProgressBar bar(progress, !options.work.quiet);
-        picture = rendered(options, progress);
+        if (const Status drawn = draw_pictures(options, write, progress); !drawn) return drawn;
     }
-    if (!picture) return passed_on(picture);
-    if (const Status written = io::write_image_file(options.output, picture->image); !written)
-        return written;
-    if (options.work.json)
-        fmt::print("{}\n", to_json(options, *picture).dump(2));
-    else if (!options.work.quiet)
-        fmt::print("{}: {}x{}, {:.0f} ms\n", options.output.string(), picture->image.width,
-                   picture->image.height,
-                   picture->bake_ms + picture->environment_ms + picture->render_ms);
+    print(pictures, options);
     return {};
 }
 
@@ -193,6 +231,16 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1, 65536))
         ->type_name("N")
         ->capture_default_str();
+    command
+        .add_option_function<int>(
+            "--bits",
+            [&options](int bits) {
+                options.request.sample_type = bits == 16 ? SampleType::U16 : SampleType::U8;
+            },
+            "Of each number of a .png or .tif")
+        ->check(CLI::IsMember({8, 16}))
+        ->type_name("8|16")
+        ->default_str("8");
     command.add_option("--exposure", view.exposure_ev, "Exposure; light is multiplied by 2^EV")
         ->check(CLI::Range(-20.0, 20.0))
         ->type_name("EV")
@@ -201,6 +249,33 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         command, "--tone-map", render::kToneMaps,
         [&view](const auto& entry) { view.tone_map = entry.value; }, "How light becomes colour")
         ->default_str("pbr-neutral");
+}
+
+/// Terms by themselves, which go over those of --terms.
+void add_term_options(CLI::App& command, RenderOptions& options) {
+    using render::PbrTerms;
+    const auto add = [&]<typename Table, typename Term>(const std::string& flag, const Table& table,
+                                                        Term PbrTerms::*term,
+                                                        const std::string& help) {
+        add_choice_option(
+            command, flag, table,
+            [&options, term](const auto& entry) {
+                options.term_changes.push_back(
+                    [term, value = entry.value](PbrTerms& terms) { terms.*term = value; });
+            },
+            help);
+    };
+    add("--distribution", render::kDistributionTerms, &PbrTerms::distribution, "D of PBR");
+    add("--geometry", render::kGeometryTerms, &PbrTerms::geometry, "G of PBR");
+    add("--fresnel", render::kFresnelTerms, &PbrTerms::fresnel, "F of PBR");
+    add("--diffuse", render::kDiffuseTerms, &PbrTerms::diffuse, "The diffuse term of PBR");
+    command.add_flag_callback(
+        "--multiple-scattering",
+        [&options] {
+            options.term_changes.push_back(
+                [](PbrTerms& terms) { terms.multiple_scattering = true; });
+        },
+        "Give back the energy that single scattering loses");
 }
 
 void add_shading_options(CLI::App& command, RenderOptions& options) {
@@ -222,10 +297,21 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
         ->type_name("0-1")
         ->capture_default_str();
     add_choice_option(
+        command, "--path", render::kRenderPaths,
+        [&view](const auto& entry) { view.left.path = view.right.path = entry.value; },
+        "How the picture is made: the same shading, at another cost")
+        ->default_str("deferred");
+    add_choice_option(
+        command, "--against-path", render::kRenderPaths,
+        [&options](const auto& entry) { options.against_path = entry.value; },
+        "How the one that is compared is made; as --path if unset")
+        ->type_name("deferred|forward");
+    add_choice_option(
         command, "--terms", kTermSets,
         [&view](const TermSet& set) { view.left.terms = view.right.terms = set.terms; },
         "The terms of PBR; the lecture's lack 1/pi and energy balance")
         ->default_str("gltf");
+    add_term_options(command, options);
 }
 
 /// --channel takes a channel's id or "strip" for ten of them side by side.
@@ -267,6 +353,9 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("X")
         ->capture_default_str();
+    command.add_flag("!--no-normal-filter", view.filter_normals,
+                     "Leave out of roughness what of normal maps is finer than a pixel; from 64 "
+                     "samples on it is left out anyway");
     command.add_flag("!--no-shadows", view.shadows,
                      "Let suns of the environment, directional lights and the light of the "
                      "traditional models cast none");
@@ -318,6 +407,16 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1.0, 160.0))
         ->type_name("DEG")
         ->capture_default_str();
+    command
+        .add_option("--orthographic", options.request.view.camera.orthographic_height,
+                    "No perspective: metres from the bottom of the picture to its top")
+        ->check(CLI::PositiveNumber)
+        ->type_name("HEIGHT");
+    command
+        .add_option("--turntable", options.turntable,
+                    "So many pictures all around the target: OUT-000.png, OUT-001.png ...")
+        ->check(CLI::Range(1, 999))
+        ->type_name("N");
     add_choice_option(
         command, "--view", kDirections,
         [&options](const NamedDirection& entry) {

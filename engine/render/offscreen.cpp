@@ -88,8 +88,10 @@ View view_of(const Document& document, const OffscreenRequest& request, const Bo
         const float aspect = static_cast<float>(request.size.width) /
                              static_cast<float>(std::max(1, request.size.height));
         const bool halves = view.compare == CompareMode::TwoViews;
+        const float orthographic_height = view.camera.orthographic_height;
         view.camera = framed(bounds, halves ? 0.5f * aspect : aspect, *request.automatic_camera,
                              view.camera.fov_y_degrees);
+        view.camera.orthographic_height = orthographic_height;
     }
     return view;
 }
@@ -124,23 +126,45 @@ Result<gl::HeadlessContext> context_that_logs() {
 
 Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
                                        const OffscreenRequest& request, const Progress& progress) {
+    RenderedImage result;
+    const auto keep = [&result](int, RenderedImage& picture) -> Status {
+        result = std::move(picture);
+        return {};
+    };
+    if (Status drawn = render_turntable_offscreen(document, images, request, 1, keep, progress);
+        !drawn)
+        return passed_on(drawn);
+    return result;
+}
+
+Status render_turntable_offscreen(const Document& document, ImageProvider& images,
+                                  const OffscreenRequest& request, int pictures,
+                                  const EachPicture& each, const Progress& progress) {
     const Result<gl::HeadlessContext> context = context_that_logs();
     if (!context) return passed_on(context);
     RenderedImage result;
     Result<Renderer> renderer = prepared(document, images, request, progress, result);
     if (!renderer) return passed_on(renderer);
     progress.set_stage("Rendering");
-    const View view = view_of(document, request, renderer->bounds_world());
-    const auto start = std::chrono::steady_clock::now();
-    Result<Image> image = request.linear
-                              ? renderer->still_linear(view, request.size, request.samples)
-                              : renderer->still_srgb(view, request.size, request.samples);
-    if (!image) return passed_on(image);
-    result.image = std::move(*image);
-    result.render_ms = elapsed_ms(start);
-    result.stats = renderer->stats();
-    progress.report(1.0f);
-    return result;
+    View view = view_of(document, request, renderer->bounds_world());
+    const Camera first = view.camera;
+    for (int i = 0; i < pictures; ++i) {
+        if (i > 0)
+            view.camera =
+                orbited(first, 360.0f * static_cast<float>(i) / static_cast<float>(pictures), 0.0f);
+        const auto start = std::chrono::steady_clock::now();
+        Result<Image> image =
+            request.linear
+                ? renderer->still_linear(view, request.size, request.samples)
+                : renderer->still_srgb(view, request.size, request.samples, request.sample_type);
+        if (!image) return passed_on(image);
+        result.image = std::move(*image);
+        result.render_ms = elapsed_ms(start);
+        result.stats = renderer->stats();
+        if (Status done = each(i, result); !done) return done;
+        progress.report(0.75f + 0.25f * static_cast<float>(i + 1) / static_cast<float>(pictures));
+    }
+    return {};
 }
 
 Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,

@@ -21,7 +21,8 @@ namespace patina::render {
 struct OffscreenRequest {
     PictureSize size = {1280, 720};
     int samples = 16;     ///< sub-pixel samples, 1 to 65536
-    bool linear = false;  ///< linear radiance (or raw channel numbers) in F32 instead of sRGB in U8
+    bool linear = false;  ///< linear radiance (or raw channel numbers) in F32 instead of sRGB
+    SampleType sample_type = SampleType::U8;  ///< of sRGB pictures: U8 or U16
     /// Everything but what the document says: its lights are added to the view's, its environment's
     /// rotation is added and its intensity multiplied.
     View view;
@@ -46,6 +47,15 @@ struct RenderedImage {
 Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
                                        const OffscreenRequest& request,
                                        const Progress& progress = {});
+
+/// Takes picture `index` of a turntable, which is drawn over afterwards.
+using EachPicture = std::function<Status(int index, RenderedImage& picture)>;
+
+/// Pictures all around the target, counter-clockwise from above, equally far apart; the first is
+/// that of render_offscreen.
+Status render_turntable_offscreen(const Document& document, ImageProvider& images,
+                                  const OffscreenRequest& request, int pictures,
+                                  const EachPicture& each, const Progress& progress = {});
 
 /// Ten pictures in one, the strip of channels, each `thumbnail` large.
 Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,

@@ -115,8 +115,8 @@ struct StillMean {
     std::vector<float> rgba_premultiplied;
     bool dithered = false;  ///< to be, when it is rounded
 };
-/// RGBA U8, sRGB-encoded, straight alpha, row 0 at the top. Any thread.
-Image srgb_image(const StillMean& still);
+/// RGBA, U8 or U16, sRGB-encoded, straight alpha, row 0 at the top. Any thread.
+Image srgb_image(const StillMean& still, SampleType type = SampleType::U8);
 
 struct RendererState;  // renderer_state.h
 
@@ -173,8 +173,9 @@ class Renderer {
     /// Draws `samples` times with sub-pixel offsets and averages: a still without jagged edges.
     /// From 64 samples on each draw samples the environment, and the picture converges to the
     /// integral of the BRDF over it; with fewer it is read filtered.
-    /// RGBA U8, sRGB-encoded, straight alpha, row 0 at the top.
-    Result<Image> still_srgb(const View& view, PictureSize size, int samples);
+    /// RGBA, U8 or U16, sRGB-encoded, straight alpha, row 0 at the top.
+    Result<Image> still_srgb(const View& view, PictureSize size, int samples,
+                             SampleType type = SampleType::U8);
     /// The same as linear radiance without exposure and tone map, or the raw numbers of a channel:
     /// RGBA F32, premultiplied, alpha is coverage.
     Result<Image> still_linear(const View& view, PictureSize size, int samples);

@@ -2,9 +2,11 @@
 
 /// Stills: the mean of many draws with sub-pixel offsets.
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
@@ -105,25 +107,35 @@ float dither(int x, int y_from_bottom) {
     return scaled - std::floor(scaled) - 0.5f;
 }
 
-std::uint8_t byte_of(float encoded, float noise) {
-    return static_cast<std::uint8_t>(std::clamp(encoded * 255.0f + noise, 0.0f, 255.0f) + 0.5f);
+/// 0 to 1 as the nearest of all values of Sample, after `noise` of their steps.
+template <typename Sample>
+Sample rounded(float encoded, float noise) {
+    constexpr auto most = static_cast<float>(std::numeric_limits<Sample>::max());
+    return static_cast<Sample>(std::clamp(encoded * most + noise, 0.0f, most) + 0.5f);
 }
 
-/// One pixel of premultiplied linear light to straight sRGB bytes.
+/// One pixel of premultiplied linear light to straight sRGB.
+template <typename Sample>
 void encode_pixel(const float* rgba, float noise, std::byte* out) {
     const float alpha = std::clamp(rgba[3], 0.0f, 1.0f);
+    std::array<Sample, 4> pixel;
     for (int c = 0; c < 3; ++c) {
         const float linear = alpha > 0.0f ? std::clamp(rgba[c] / alpha, 0.0f, 1.0f) : 0.0f;
-        out[c] = std::byte{byte_of(formulae::srgb_from_linear(linear), noise)};
+        pixel[static_cast<std::size_t>(c)] =
+            rounded<Sample>(formulae::srgb_from_linear(linear), noise);
     }
-    out[3] = std::byte{byte_of(alpha, 0.0f)};
+    pixel[3] = rounded<Sample>(alpha, 0.0f);
+    std::memcpy(out, pixel.data(), sizeof pixel);
 }
 
 }  // namespace
 
-Image srgb_image(const StillMean& still) {
+Image srgb_image(const StillMean& still, SampleType type) {
+    assert(type == SampleType::U8 || type == SampleType::U16);
     const PictureSize size = still.size;
-    Image image = empty_image(size, SampleType::U8);
+    Image image = empty_image(size, type);
+    const bool bytes = type == SampleType::U8;
+    const std::size_t step = image.row_bytes() / static_cast<std::size_t>(size.width);
     parallel_for(0, size.height, 16, [&](std::int64_t first, std::int64_t last) {
         for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
             const int from_bottom = size.height - 1 - y;
@@ -131,8 +143,11 @@ Image srgb_image(const StillMean& still) {
                                std::size_t{4} * static_cast<std::size_t>(from_bottom) *
                                    static_cast<std::size_t>(size.width);
             std::byte* out = image.data.data() + static_cast<std::size_t>(y) * image.row_bytes();
-            for (int x = 0; x < size.width; ++x, row += 4, out += 4)
-                encode_pixel(row, still.dithered ? dither(x, from_bottom) : 0.0f, out);
+            for (int x = 0; x < size.width; ++x, row += 4, out += step) {
+                const float noise = still.dithered ? dither(x, from_bottom) : 0.0f;
+                bytes ? encode_pixel<std::uint8_t>(row, noise, out)
+                      : encode_pixel<std::uint16_t>(row, noise, out);
+            }
         }
     });
     return image;
@@ -164,14 +179,15 @@ Result<StillMean> Renderer::mean(const Still& still) {
     return mean;
 }
 
-Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples) {
+Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples,
+                                   SampleType type) {
     Still still{.view = view, .size = size, .samples = samples};
     do {
         if (const Status drawn = draw_sample(still); !drawn) return passed_on(drawn);
     } while (!still.is_finished());
     const Result<StillMean> averaged = mean(still);
     if (!averaged) return passed_on(averaged);
-    return srgb_image(*averaged);
+    return srgb_image(*averaged, type);
 }
 
 Result<Image> Renderer::still_linear(const View& view, PictureSize size, int samples) {

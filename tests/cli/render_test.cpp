@@ -75,10 +75,54 @@ TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
              {"--background", "none"},
              {"--environment", "sky"},
              {"--environment-rotation", "90"},
+             {"--orthographic", "3"},
+             {"--light", R"({"kind":"sphere","position":[1,2,2],"intensity":9,"radius":0.4})"},
+             {"--light", R"({"kind":"rectangle","position":[0,1,3],"intensity":9})"},
+             {"--distribution", "beckmann"},
+             {"--geometry", "lecture"},
+             {"--diffuse", "oren-nayar"},
              {"--preset", "brushed-brass@Ball"}}) {
         ASSERT_TRUE(succeeded(render(change, "changed.png"))) << change[0];
         EXPECT_NE(file_text(at("changed.png")), plain) << testing::PrintToString(change);
     }
+}
+
+TEST_F(Render, BothPathsGiveThePictureAtTheirOwnCost) {
+    const Outcome deferred = render({"--json"}, "deferred.png");
+    const Outcome forward = render({"--path", "forward", "--json"}, "forward.png");
+    ASSERT_TRUE(succeeded(deferred));
+    ASSERT_TRUE(succeeded(forward));
+    EXPECT_GT(nlohmann::json::parse(deferred.out)["left"]["gbuffer_bytes"], 0);
+    EXPECT_EQ(nlohmann::json::parse(forward.out)["left"]["gbuffer_bytes"], 0);
+    // A difference of the paths is black: nothing but the lowest colour of the heat map.
+    ASSERT_TRUE(succeeded(render({"--shading", "difference", "--against", "pbr"}, "none.png")));
+    ASSERT_TRUE(succeeded(render(
+        {"--shading", "difference", "--against", "pbr", "--against-path", "forward", "--json"},
+        "paths.png")));
+    EXPECT_LE(file_text(at("paths.png")).size(), file_text(at("none.png")).size() + 300);
+}
+
+TEST_F(Render, ATurntableIsAFileForEachPictureAndTheFirstIsThePictureAlone) {
+    ASSERT_TRUE(succeeded(render({}, "alone.png")));
+    ASSERT_TRUE(succeeded(render({"--turntable", "3"}, "spin.png")));
+    EXPECT_EQ(file_text(at("spin-000.png")), file_text(at("alone.png")));
+    EXPECT_EQ(png_size(file_text(at("spin-001.png"))), std::pair(64, 48));
+    EXPECT_NE(file_text(at("spin-001.png")), file_text(at("spin-002.png")));
+    EXPECT_EQ(file_text(at("spin.png")), "");
+}
+
+TEST_F(Render, APngHasAsManyBitsAsWereAskedFor) {
+    constexpr std::size_t kBitDepth = 24;  // of IHDR
+    ASSERT_TRUE(succeeded(render({}, "8.png")));
+    ASSERT_TRUE(succeeded(render({"--bits", "16"}, "16.png")));
+    EXPECT_EQ(file_text(at("8.png"))[kBitDepth], 8);
+    EXPECT_EQ(file_text(at("16.png"))[kBitDepth], 16);
+}
+
+TEST_F(Render, ALampThatIsNoneIsOneLine) {
+    const Outcome outcome = render({"--light", R"({"kind":"candle"})"}, "picture.png");
+    EXPECT_FALSE(succeeded(outcome));
+    EXPECT_THAT(outcome.errors, HasSubstr("candle"));
 }
 
 TEST_F(Render, GivesTheSamePictureTwiceAndAtAnyNumberOfThreads) {
