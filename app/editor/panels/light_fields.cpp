@@ -18,9 +18,10 @@ NumberSpec without_level(Parameter parameter) {
     return spec;
 }
 
-/// Three numbers side by side, named after the axes.
-void vector_fields(Ui& ui, const Rect& line_box, Parameter parameter, glm::vec3& value) {
+/// Three numbers side by side, named after the axes, behind what they are together.
+void vector_fields(Ui& ui, Rect line_box, Parameter parameter, glm::vec3& value) {
     constexpr std::array<std::string_view, 3> axes = {"X", "Y", "Z"};
+    text(ui, line_box.cut_left(ui.px(56)), ui.fonts.value12, theme::kText2, info(parameter).label);
     const auto boxes = side_by_side<3>(ui, line_box);
     for (std::size_t i = 0; i < axes.size(); ++i) {
         NumberSpec spec = without_level(parameter);
