@@ -49,6 +49,8 @@ TEST_F(MaterialsTest, AMaterialIsMadeDraggedOntoThePartAndReadBack) {
         ASSERT_TRUE(editor.drag_to(*row, *model));
         ASSERT_TRUE(editor.wait_for("the part", [&] { return editor.fact("content") != content; }));
         content = editor.fact("content");
+        // Its message lies over the model.
+        ASSERT_TRUE(editor.click("Viewport/Toast", "Dismiss", "button"));
         ASSERT_TRUE(editor.settle());
         painted = editor.viewport();
         EXPECT_GT(different_share(model_part(plain), model_part(painted)), 0.05);
