@@ -13,12 +13,6 @@ bool belongs(const GpuMaterial& material, SurfaceSet surfaces) {
     return surfaces == SurfaceSet::All || blended == (surfaces == SurfaceSet::Blended);
 }
 
-std::vector<std::size_t> front_to_back(const RendererState& state, const View& view) {
-    std::vector<std::size_t> order = back_to_front(state.scene->items, view.camera);
-    std::reverse(order.begin(), order.end());
-    return order;
-}
-
 }  // namespace
 
 FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size,
@@ -117,7 +111,8 @@ Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targ
                    .clear_depth = 1.0f});
     (*program)->set("clip_from_world", camera.clip_from_world);
     (*program)->set("level_bias", camera.level_bias);
-    draw_surfaces(state, pass, **program, base, front_to_back(state, view), surfaces);
+    draw_surfaces(state, pass, **program, base, front_to_back(state.scene->items, view.camera),
+                  surfaces);
     return gbuffer;
 }
 
@@ -159,7 +154,8 @@ Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,
                    .clear_depth = 1.0f});
     (*program)->set("clip_from_world", camera.clip_from_world);
     (*program)->set("inspected", static_cast<int>(inspected));
-    draw_surfaces(state, pass, **program, base, front_to_back(state, view), SurfaceSet::All);
+    draw_surfaces(state, pass, **program, base, front_to_back(state.scene->items, view.camera),
+                  SurfaceSet::All);
     return target;
 }
 

@@ -109,4 +109,10 @@ std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const
     return order;
 }
 
+std::vector<std::size_t> front_to_back(const std::vector<DrawItem>& items, const Camera& camera) {
+    std::vector<std::size_t> order = back_to_front(items, camera);
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
 }  // namespace patina::render

@@ -36,5 +36,7 @@ GpuScene upload_scene(ScenePtr scene);
 
 /// The indices of `items`, farthest from the camera first.
 std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const Camera& camera);
+/// The other way round.
+std::vector<std::size_t> front_to_back(const std::vector<DrawItem>& items, const Camera& camera);
 
 }  // namespace patina::render

@@ -167,7 +167,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
 
 Status draw_forward(RendererState& state, const SideView& side, const FrameCamera& camera,
                     SurfaceSet surfaces, const PictureTarget& target) {
-    ShaderVariant variant{"passes/surface.vert", "passes/forward.frag", {}};
+    ShaderVariant variant{kSurfaceVertexFile, "passes/forward.frag", {}};
     add_shading_constants(variant.constants, state, side.shading, target);
     variant.constants.push_back(shader_constant("FILTER_NORMALS", filters_normals(side.view)));
     const Result<gl::Program*> found = state.shaders.program(variant);
@@ -192,9 +192,9 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     program.set("clip_from_world", camera.clip_from_world);
     program.set("level_bias", camera.level_bias);
     bind_light(pass, program, state, side, target);
-    std::vector<std::size_t> order = back_to_front(state.scene->items, side.view.camera);
-    if (!blended) std::reverse(order.begin(), order.end());
-    draw_surfaces(state, pass, program, base, order, surfaces);
+    const auto order = blended ? back_to_front : front_to_back;
+    draw_surfaces(state, pass, program, base, order(state.scene->items, side.view.camera),
+                  surfaces);
     return {};
 }
 

@@ -107,7 +107,7 @@ Status draw_shadow_maps(RendererState& state, const View& view) {
         shadows.maps = std::move(*made);
     }
     const Result<gl::Program*> program =
-        state.shaders.program({"passes/surface.vert", "passes/shadow.frag", {}});
+        state.shaders.program({kSurfaceVertexFile, "passes/shadow.frag", {}});
     if (!program) return passed_on(program);
     const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Shadows");
     for (std::size_t map = 0; map < lights.size(); ++map) draw_map(state, map, **program);

@@ -25,8 +25,8 @@ Status draw_lines(RendererState& state, const View& view, const gl::Framebuffer&
                    .target = &lines,
                    .clear_colors = {glm::vec4(0.0f)},
                    .clear_depth = 1.0f});
-    std::vector<std::size_t> order = back_to_front(state.scene->items, view.camera);
-    draw_surfaces(state, pass, program, {}, order, SurfaceSet::All);
+    draw_surfaces(state, pass, program, {}, front_to_back(state.scene->items, view.camera),
+                  SurfaceSet::All);
     return {};
 }
 
