@@ -51,6 +51,15 @@ void for_each_member(Json& json, const Visit& visit) {
     }
 }
 
+/// Calls `visit(primitive)` for every primitive of "meshes".
+template <typename Visit>
+void for_each_primitive(Json& meshes, const Visit& visit) {
+    for (Json& mesh : meshes)
+        if (mesh.is_object() && mesh.contains("primitives"))
+            for (Json& primitive : mesh["primitives"])
+                if (primitive.is_object()) visit(primitive);
+}
+
 /// `json[key]` if that is an integer, or -1.
 int index_at(const Json& json, std::string_view key);
 /// The string `json[key]`, or an empty one.

@@ -48,11 +48,9 @@ Json* primitive_at(Json& meshes, PartRef part) {
 }
 
 void name_default_material(Json& meshes, int place) {
-    for (Json& mesh : meshes)
-        if (mesh.is_object() && mesh.contains("primitives"))
-            for (Json& primitive : mesh["primitives"])
-                if (primitive.is_object() && !primitive.contains("material"))
-                    primitive["material"] = place;
+    for_each_primitive(meshes, [&](Json& primitive) {
+        if (!primitive.contains("material")) primitive["material"] = place;
+    });
 }
 
 }  // namespace

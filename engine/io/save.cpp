@@ -36,9 +36,10 @@ struct EditedMaterial {
     MaterialPtr before;  ///< null: nothing of it is in the file
 };
 
-std::vector<EditedMaterial> edited_materials(const Document& document) {
+/// `without_uvs`: written even if they themselves are as they were.
+std::vector<EditedMaterial> edited_materials(const Document& document,
+                                             const std::set<MaterialId>& without_uvs) {
     std::vector<EditedMaterial> edited;
-    const std::set<MaterialId> without_uvs = shown_without_uvs(document);
     for (const MaterialPtr& now : document.materials) {
         const MaterialPtr before =
             document.opened ? find_material(*document.opened, now->id) : nullptr;
@@ -86,7 +87,8 @@ class Saver {
 
   private:
     Status save_as(Container container) {
-        const std::vector<EditedMaterial> edited = edited_materials(document_);
+        const std::set<MaterialId> without_uvs = shown_without_uvs(document_);
+        const std::vector<EditedMaterial> edited = edited_materials(document_, without_uvs);
         const bool converts = container != document_.source->container;
         if (edited.empty() && document_.assigned.empty() && !scene_is_edited(document_) &&
             !converts)
@@ -97,7 +99,7 @@ class Saver {
         auto gltf = GltfJson::open(source->json_text);
         if (!gltf) return failure("{}: {}", shown(path_), gltf.error().message);
         GltfImages images(*gltf, *source, owned_images_of(gltf->array("materials")));
-        if (const Status ok = write_materials(edited, *gltf, images); !ok) return ok;
+        if (const Status ok = write_materials(edited, without_uvs, *gltf, images); !ok) return ok;
         if (scene_is_edited(document_)) write_scene(*gltf);
         keep_images_of_unedited_layers(images);
         if (const Status ok = images.finish(); !ok)
@@ -124,14 +126,15 @@ class Saver {
         return write(glb->pieces());
     }
 
-    Status write_materials(const std::vector<EditedMaterial>& edited, GltfJson& gltf,
+    Status write_materials(const std::vector<EditedMaterial>& edited,
+                           const std::set<MaterialId>& without_uvs, GltfJson& gltf,
                            GltfImages& images) {
         MaterialSave save{.document = document_,
                           .pixels = pixels_,
                           .gltf = gltf,
                           .images = images,
                           .places = place_new_materials(materials_of(edited), gltf),
-                          .shown_without_uvs = shown_without_uvs(document_),
+                          .shown_without_uvs = without_uvs,
                           .size = options_.size,
                           .progress = progress_,
                           .warnings = {}};

@@ -18,14 +18,6 @@ bool lacks(const Json& primitive, const std::set<int>& uv_sets) {
     });
 }
 
-template <typename Visit>
-void for_each_primitive(Json& meshes, const Visit& visit) {
-    for (Json& mesh : meshes)
-        if (mesh.is_object() && mesh.contains("primitives"))
-            for (Json& primitive : mesh["primitives"])
-                if (primitive.is_object()) visit(primitive);
-}
-
 /// The places where a primitive names a material: its own, and those of its variants.
 std::vector<Json*> material_references(Json& primitive) {
     std::vector<Json*> references;
