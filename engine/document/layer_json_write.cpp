@@ -216,19 +216,6 @@ Json channels_to_json(const Layer& layer) {
     return json;
 }
 
-void collect_referred(const LayerList& layers, std::set<LayerId>& referred) {
-    const auto collect = [&](const Source& source) {
-        if (const auto* reference = std::get_if<ReferenceSource>(&source))
-            referred.insert(reference->layer);
-    };
-    for (const LayerPtr& layer : layers) {
-        for (const ChannelSettings& settings : layer->channels) collect(settings.source);
-        for (const MaskEntry& entry : layer->mask.entries) collect(entry.source);
-        if (const auto* group = std::get_if<GroupContent>(&layer->content))
-            collect_referred(group->children, referred);
-    }
-}
-
 /// `referred`: the layers whose ids are written whether or not others are.
 Json list_to_json(const LayerList& layers, JsonIds ids, const std::set<LayerId>& referred);
 
@@ -268,7 +255,10 @@ Json list_to_json(const LayerList& layers, JsonIds ids, const std::set<LayerId>&
 
 Json layers_to_json(const LayerList& layers, JsonIds ids) {
     std::set<LayerId> referred;
-    collect_referred(layers, referred);
+    for_each_source(layers, [&](const Source& source) {
+        if (const auto* reference = std::get_if<ReferenceSource>(&source))
+            referred.insert(reference->layer);
+    });
     return list_to_json(layers, ids, referred);
 }
 

@@ -31,6 +31,12 @@ Result<Document> with_added(Document document, Material material) {
     return document;
 }
 
+Result<MaterialPtr> known_material(const Document& document, MaterialId id) {
+    MaterialPtr material = find_material(document, id);
+    if (!material) return failure("there is no material {}", id.value);
+    return material;
+}
+
 const Primitive* find_part(const Document& document, PartRef part) {
     if (!document.scene) return nullptr;
     for (const Mesh& mesh : document.scene->meshes)
@@ -69,13 +75,13 @@ Edit duplicate_material(const Material& material) {
     return {.label = "Duplicate material " + material.name,
             .merge_key = {},
             .apply = [id = material.id](const Document& before) -> Result<Document> {
-                const MaterialPtr original = find_material(before, id);
-                if (!original) return failure("there is no material {}", id.value);
+                const Result<MaterialPtr> original = known_material(before, id);
+                if (!original) return passed_on(original);
                 Document after = before;
-                Material copy = *original;
-                if (!is_added(*original)) copy.copied_from = original->source_material;
+                Material copy = **original;
+                if (!is_added(copy)) copy.copied_from = copy.source_material;
                 name_as_added(copy, after.next_id);
-                const std::string name = free_material_name(before, original->name + " copy");
+                const std::string name = free_material_name(before, copy.name + " copy");
                 if (check_name(name)) copy.name = name;
                 copy.stack = with_fresh_ids(copy.stack, after.next_id);
                 return with_added(std::move(after), std::move(copy));
@@ -86,13 +92,13 @@ Edit remove_material(const Material& material) {
     return {.label = "Delete material " + material.name,
             .merge_key = {},
             .apply = [id = material.id](const Document& before) -> Result<Document> {
-                const MaterialPtr doomed = find_material(before, id);
-                if (!doomed) return failure("there is no material {}", id.value);
-                if (!is_added(*doomed))
+                const Result<MaterialPtr> doomed = known_material(before, id);
+                if (!doomed) return passed_on(doomed);
+                if (!is_added(**doomed))
                     return failure("{} is a material of the file and stays in it",
-                                   quoted_for_message(doomed->name, 80));
+                                   quoted_for_message((*doomed)->name, 80));
                 Document after = before;
-                std::erase(after.materials, doomed);
+                std::erase(after.materials, *doomed);
                 std::erase_if(after.assigned, [id](const auto& each) { return each.second == id; });
                 return after;
             }};
@@ -103,14 +109,14 @@ Edit assign_material(const Material& material, const Part& part) {
         .label = fmt::format("Assign {} to {}", material.name, part.name),
         .merge_key = {},
         .apply = [id = material.id, ref = part.ref](const Document& before) -> Result<Document> {
-            const MaterialPtr wanted = find_material(before, id);
-            if (!wanted) return failure("there is no material {}", id.value);
+            const Result<MaterialPtr> wanted = known_material(before, id);
+            if (!wanted) return passed_on(wanted);
             const Primitive* primitive = find_part(before, ref);
             if (!primitive)
                 return failure("the model has no part {} of mesh {}", ref.primitive, ref.mesh);
             Document after = before;
             // What the file says needs no word of ours.
-            if (material_of(before, primitive->source_material) == wanted)
+            if (material_of(before, primitive->source_material) == *wanted)
                 after.assigned.erase(ref);
             else
                 after.assigned[ref] = id;

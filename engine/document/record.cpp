@@ -226,20 +226,6 @@ Result<Json> known_record(std::string_view text) {
     return json;
 }
 
-void collect_images(const Source& source, std::vector<Hash128>& hashes) {
-    if (const auto* image = std::get_if<ImageSource>(&source)) hashes.push_back(image->image);
-}
-
-void collect_images(const LayerList& layers, std::vector<Hash128>& hashes) {
-    for (const LayerPtr& layer : layers) {
-        for (const ChannelSettings& settings : layer->channels)
-            collect_images(settings.source, hashes);
-        for (const MaskEntry& entry : layer->mask.entries) collect_images(entry.source, hashes);
-        if (const auto* group = std::get_if<GroupContent>(&layer->content))
-            collect_images(group->children, hashes);
-    }
-}
-
 }  // namespace
 
 RecordImage record_image(const ImageAsset& asset) {
@@ -348,7 +334,9 @@ Result<SceneRecord> scene_record_from_json(std::string_view text) {
 
 std::vector<Hash128> images_of(const std::vector<LayerPtr>& layers) {
     std::vector<Hash128> hashes;
-    collect_images(layers, hashes);
+    for_each_source(layers, [&](const Source& source) {
+        if (const auto* image = std::get_if<ImageSource>(&source)) hashes.push_back(image->image);
+    });
     std::sort(hashes.begin(), hashes.end());
     hashes.erase(std::unique(hashes.begin(), hashes.end()), hashes.end());
     return hashes;

@@ -7,20 +7,16 @@ namespace patina {
 namespace {
 
 template <typename LayerType, typename Visit>
-void for_each_source(LayerType& layer, const Visit& visit) {
+void for_each_own_source(LayerType& layer, const Visit& visit) {
     for (auto& settings : layer.channels) visit(settings.source);
     for (auto& entry : layer.mask.entries) visit(entry.source);
 }
 
 bool has_references(const LayerList& layers) {
     bool found = false;
-    for (const LayerPtr& layer : layers) {
-        for_each_source(*layer, [&](const Source& source) {
-            found = found || std::holds_alternative<ReferenceSource>(source);
-        });
-        if (const auto* group = std::get_if<GroupContent>(&layer->content))
-            found = found || has_references(group->children);
-    }
+    for_each_source(layers, [&](const Source& source) {
+        found = found || std::holds_alternative<ReferenceSource>(source);
+    });
     return found;
 }
 
@@ -90,7 +86,7 @@ class Dependencies {
     }
 
     void add_references(std::size_t index) {
-        for_each_source(*nodes_[index].layer, [&](const Source& source) {
+        for_each_own_source(*nodes_[index].layer, [&](const Source& source) {
             const auto* const reference = std::get_if<ReferenceSource>(&source);
             if (reference == nullptr) return;
             if (const auto found = index_.find(reference->layer); found != index_.end())
@@ -123,7 +119,7 @@ class Dependencies {
 
 LayerPtr moved_in(const LayerPtr& layer, const LayerIdMap& moved) {
     Layer copy = *layer;
-    for_each_source(copy, [&](Source& source) {
+    for_each_own_source(copy, [&](Source& source) {
         auto* const reference = std::get_if<ReferenceSource>(&source);
         if (reference == nullptr) return;
         if (const auto found = moved.find(reference->layer); found != moved.end())

@@ -31,6 +31,18 @@ int layer_count(const LayerList& layers);
 /// The deepest nesting: 1 when there is no group with children.
 int layer_depth(const LayerList& layers);
 
+/// Calls visit(source) for what each channel and mask entry of the layers reads, on or off, groups
+/// before their children.
+template <typename Visit>
+void for_each_source(const LayerList& layers, const Visit& visit) {
+    for (const LayerPtr& layer : layers) {
+        for (const ChannelSettings& settings : layer->channels) visit(settings.source);
+        for (const MaskEntry& entry : layer->mask.entries) visit(entry.source);
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            for_each_source(group->children, visit);
+    }
+}
+
 /// The stack with the list at `path` changed. Groups whose children stayed the same are kept.
 LayerList with_list_at(const LayerList& stack, std::span<const std::size_t> path,
                        const std::function<void(LayerList&)>& change);
