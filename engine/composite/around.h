@@ -2,10 +2,10 @@
 #pragma once
 
 /// Adjustments that look around (blur, sharpen, warp), and sources that read the relief below their
-/// layer. A tile alone cannot make them: before the
-/// tiles that are asked for are run, what lies below each such layer is composited for them and a
-/// halo of the layer's reach (and of those above it), and kept as float32 planes. A run that comes
-/// to the layer reads its neighbours there. The borders of the texture meet.
+/// layer. A tile alone cannot make them: before the tiles that are asked for are run, what lies
+/// below each such layer is composited for them and a halo of the layer's reach (and of those above
+/// it), and kept as float32 planes. A run that comes to the layer reads its neighbours there. The
+/// borders of the texture meet.
 
 #include <memory>
 

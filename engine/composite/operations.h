@@ -62,9 +62,7 @@ enum class OpCode : std::uint8_t {
     /// Lays what the next depth accumulated on the accumulator of `channel`.
     BlendGroup,
     /// Runs the operations up to `jump`, of a layer that is referred to, at the next depth, with
-    /// the
-    /// channels of its ReferenceRecord wanted; an operation that follows reads what they leave
-    /// there.
+    /// the channels of its ReferenceRecord wanted; an operation that follows reads what they leave.
     Reference,
 };
 
