@@ -80,8 +80,10 @@ Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
                                          options.save, progress);
     if (!saved) return passed_on(saved);
     BakeReport report{.saved = *saved, .map_files = {}, .uvs = {}};
+    const bool reported = options.work.json || !options.work.quiet;
     for (const MaterialPtr& material : loaded->document->materials)
-        report.uvs.emplace_back(material->name, uv_layout_of(*loaded->document, *material));
+        if (reported)
+            report.uvs.emplace_back(material->name, uv_layout_of(*loaded->document, *material));
     if (options.maps_folder.empty()) return report;
     io::MapExportOptions maps = options.maps;
     maps.size = options.save.size;

@@ -75,7 +75,7 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
                 .key = "U",
                 .enabled = open,
                 .on = uv}))
-        view.view.channel = uv ? render::ChannelView::Final : render::ChannelView::UvChecker;
+        requests.ask(Action::ShowUv);
     if (button({.icon = icon::kSun,
                 .label = "Lights",
                 .tooltip = "Opens the lights in the Material tab",
