@@ -55,14 +55,20 @@ gl::HeadlessContext headless() {
         [](std::string_view message) { std::fprintf(stderr, "OpenGL: %s\n", message.data()); }));
 }
 
-void draw_through_renderer(benchmark::State& run, PictureSize size) {
-    const gl::HeadlessContext context = headless();
+/// With the shader ball in the studio.
+Renderer ready_renderer() {
     Renderer renderer = value_or_exit(Renderer::create());
     value_or_exit(renderer.set_scene(shader_ball_scene()).map([] { return 0; }));
     value_or_exit(
         renderer
             .set_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First)))
             .map([] { return 0; }));
+    return renderer;
+}
+
+void draw_through_renderer(benchmark::State& run, PictureSize size) {
+    const gl::HeadlessContext context = headless();
+    Renderer renderer = ready_renderer();
     View view = view_of(renderer.bounds_world());
     for (auto _ : run) {
         view.camera = orbited(view.camera, 1.0f, 0.0f);
@@ -123,12 +129,7 @@ std::vector<Light> ring_of_lights(const Bounds& bounds, int count) {
 /// A model under many lamps, by way of the G-buffer or lit as it is drawn.
 void lights(benchmark::State& run, RenderPath path) {
     const gl::HeadlessContext context = headless();
-    Renderer renderer = value_or_exit(Renderer::create());
-    value_or_exit(renderer.set_scene(shader_ball_scene()).map([] { return 0; }));
-    value_or_exit(
-        renderer
-            .set_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First)))
-            .map([] { return 0; }));
+    Renderer renderer = ready_renderer();
     View view = view_of(renderer.bounds_world());
     view.left.path = path;
     view.lights = ring_of_lights(renderer.bounds_world(), static_cast<int>(run.range(0)));

@@ -6,23 +6,13 @@
 
 #include <algorithm>
 
-#include "composite/bake_channels.h"
-#include "composite/image_table.h"
+#include "composite/small_stack.h"
 #include "document/layer_edits.h"
 
 namespace patina {
 namespace {
 
 constexpr int kSize = 64;
-
-LayerPtr shared(Layer layer) {
-    return std::make_shared<const Layer>(std::move(layer));
-}
-
-void set(Layer& layer, Channel channel, Source source) {
-    at(layer.channels, channel).enabled = true;
-    at(layer.channels, channel).source = std::move(source);
-}
 
 Source number(float value) {
     return ConstantSource{glm::vec3(value, 0.0f, 0.0f)};
@@ -49,15 +39,8 @@ Layer sand(float radius = 0.0f) {
     return layer;
 }
 
-Material stack_of(std::vector<LayerPtr> stack) {
-    Material material;
-    material.stack = std::move(stack);
-    return material;
-}
-
 PixelVector<float> plane(const Material& material, Channel channel) {
-    ImageTable images;
-    return bake_channels(Program::compile(material), images, kSize, {channel})->plane(channel);
+    return plane(material, channel, kSize);
 }
 
 TEST(HeightBlend, AllChannelsShowTheHigherLayerAndTheHeightIsTheGreater) {

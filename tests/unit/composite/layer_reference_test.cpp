@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "composite/bake_channels.h"
 #include "composite/composite.h"
 #include "composite/random_stack.h"
+#include "composite/small_stack.h"
 #include "document/mask_edits.h"
 
 namespace patina {
@@ -17,24 +17,8 @@ namespace {
 
 constexpr int kSize = 40;
 
-LayerPtr shared(Layer layer) {
-    return std::make_shared<const Layer>(std::move(layer));
-}
-
-void set(Layer& layer, Channel channel, Source source) {
-    at(layer.channels, channel).enabled = true;
-    at(layer.channels, channel).source = std::move(source);
-}
-
-Material stack_of(std::vector<LayerPtr> stack) {
-    Material material;
-    material.stack = std::move(stack);
-    return material;
-}
-
 PixelVector<float> plane(const Material& material, Channel channel) {
-    ImageTable images;
-    return bake_channels(Program::compile(material), images, kSize, {channel})->plane(channel);
+    return plane(material, channel, kSize);
 }
 
 MaskEntry entry_of(Source source, std::uint64_t id) {

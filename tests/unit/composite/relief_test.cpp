@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "composite/bake_channels.h"
-#include "composite/image_table.h"
+#include "composite/small_stack.h"
 #include "document/layer_edits.h"
 #include "document/mask_edits.h"
 #include "document/source_edits.h"
@@ -16,15 +15,6 @@ namespace {
 
 constexpr int kSize = 48;
 constexpr double kRadiusTexels = 2.0;
-
-LayerPtr shared(Layer layer) {
-    return std::make_shared<const Layer>(std::move(layer));
-}
-
-void set(Layer& layer, Channel channel, Source source) {
-    at(layer.channels, channel).enabled = true;
-    at(layer.channels, channel).source = std::move(source);
-}
 
 Layer bumps(std::uint32_t seed = 3) {
     Layer layer{.id = {1}};
@@ -50,15 +40,8 @@ Layer masked(ReliefKind kind) {
     return layer;
 }
 
-Material stack_of(std::vector<LayerPtr> stack) {
-    Material material;
-    material.stack = std::move(stack);
-    return material;
-}
-
 PixelVector<float> plane(const Material& material, Channel channel) {
-    ImageTable images;
-    return bake_channels(Program::compile(material), images, kSize, {channel})->plane(channel);
+    return plane(material, channel, kSize);
 }
 
 /// The height less its mean around, by a Gaussian of a third of the radius lowered to 0 there.
