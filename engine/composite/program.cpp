@@ -16,11 +16,11 @@ Hash128 Program::slot_hash(Slot slot) const {
     return data_->slot_hashes[static_cast<std::size_t>(slot)];
 }
 
-const std::array<SlotPlan, kSlotCount>& Program::slots() const {
+const std::array<SlotPlan, kSlotCount>& Program::slots() const& {
     return data_->slots;
 }
 
-const std::vector<Hash128>& Program::images() const {
+const std::vector<Hash128>& Program::images() const& {
     return data_->images;
 }
 

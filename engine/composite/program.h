@@ -15,7 +15,8 @@ namespace patina {
 
 struct ProgramData;  // operation records: composite/operations.h
 
-/// Immutable and cheap to copy.
+/// Immutable and cheap to copy. What the accessors refer to lives as long as a copy of the program:
+/// they refuse to be asked of a temporary.
 class Program {
   public:
     /// Compiles the visible layers of a material. Layers, channels and entries that cannot change
@@ -26,10 +27,13 @@ class Program {
     /// texels. An edit elsewhere leaves a slot's hash alone.
     Hash128 slot_hash(Slot slot) const;
     /// How glTF is to state each slot (the bake rules of DESIGN section 6).
-    const std::array<SlotPlan, kSlotCount>& slots() const;
+    const std::array<SlotPlan, kSlotCount>& slots() const&;
+    const std::array<SlotPlan, kSlotCount>& slots() const&& = delete;
     /// Images that running the program reads, each once.
-    const std::vector<Hash128>& images() const;
-    const ProgramData& data() const { return *data_; }
+    const std::vector<Hash128>& images() const&;
+    const std::vector<Hash128>& images() const&& = delete;
+    const ProgramData& data() const& { return *data_; }
+    const ProgramData& data() const&& = delete;
 
   private:
     std::shared_ptr<const ProgramData> data_;

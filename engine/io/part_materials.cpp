@@ -24,7 +24,8 @@ Json beginning_of(const Material& material, const Json& materials) {
 
 std::set<int> uv_sets_of(const Material& material) {
     std::set<int> sets;
-    for (const SlotPlan& plan : Program::compile(material).slots()) {
+    const Program program = Program::compile(material);  // owns the slots it lists
+    for (const SlotPlan& plan : program.slots()) {
         if (const auto* image = std::get_if<SlotImage>(&plan)) sets.insert(image->source.uv_set);
         if (std::holds_alternative<SlotBaked>(plan)) sets.insert(material.uv_set);
     }
