@@ -90,20 +90,26 @@ HWY_INLINE void read_lanes(const Sample* texels, float* const* planes, std::size
     }
 }
 
-/// Asks for the bytes that the next tile of the row will read. Hardware follows a few streams well,
-/// but a stack reads dozens in turn, in short runs.
-HWY_INLINE void prefetch_next(const std::byte* texels, std::size_t tile_bytes) {
-    for (std::size_t i = 0; i < tile_bytes; i += 64) hwy::Prefetch(texels + tile_bytes + i);
+/// Asks for the bytes that the next tile of the row will read where this one reads `texels`, a few
+/// at a time, so that the requests do not queue. Hardware follows a few streams well, but a stack
+/// reads dozens in turn, in short runs.
+template <std::size_t kBytes>
+HWY_INLINE void prefetch_next(const void* texels, std::size_t tile_bytes) {
+    const auto* const next = static_cast<const std::byte*>(texels) + tile_bytes;
+    for (std::size_t i = 0; i < kBytes; i += 64) hwy::Prefetch(next + i);
 }
 
 template <typename Sample, int kChannels, int kIndex>
 HWY_NOINLINE HWY_FLATTEN void read_run(const ReadTask& task) {
     const std::size_t count = static_cast<std::size_t>(task.count);
     const auto* const texels = reinterpret_cast<const Sample*>(task.texels);
-    prefetch_next(task.texels, count * kChannels * sizeof(Sample));
+    const std::size_t tile_bytes = count * kChannels * sizeof(Sample);
+    constexpr std::size_t kStepBytes = hn::MaxLanes(RealLanes()) * kChannels * sizeof(Sample);
     std::size_t i = 0;
-    for (; i + lane_count() <= count; i += lane_count())
+    for (; i + lane_count() <= count; i += lane_count()) {
+        prefetch_next<kStepBytes>(texels + i * kChannels, tile_bytes);
         read_lanes<Sample, kChannels, kIndex>(texels + i * kChannels, task.planes, i);
+    }
     if (i == count) return;
     // The last texels may end where the image ends: read them from a padded copy.
     alignas(64) Sample padded[16 * kChannels] = {};

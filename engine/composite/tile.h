@@ -10,7 +10,7 @@
 namespace patina {
 
 /// A multiple of 16, the lanes of the widest instruction set.
-inline constexpr int kTileTexels = 512;
+inline constexpr int kTileTexels = 1024;
 inline constexpr int kMaxLanes = 16;
 
 /// Texels [x, x + count) of row y in a square map of `size` texels a side; 1 <= count <=
@@ -28,7 +28,7 @@ class TilePlanes {
   public:
     explicit TilePlanes(int depths)
         : memory_(static_cast<std::size_t>(depths * kPlanesPerDepth + kScratchPlanes) *
-                  kTileTexels) {}
+                  kPlaneStride) {}
 
     float* channel(int depth, Channel channel, int component = 0) {
         return plane(depth * kPlanesPerDepth + first_plane(channel) + component);
@@ -49,6 +49,9 @@ class TilePlanes {
     static constexpr int kComponents = 14;  ///< of the eight channels
     static constexpr int kPlanesPerDepth = kComponents + kChannelCount + 2;
     static constexpr int kScratchPlanes = 5;
+    /// From plane to plane. A power of two would put the same texel of all planes into the same few
+    /// sets of the first-level cache.
+    static constexpr int kPlaneStride = kTileTexels + 48;
 
     static constexpr int first_plane(Channel channel) {
         int first = 0;
@@ -58,8 +61,8 @@ class TilePlanes {
         }
         return first;
     }
-    int scratch() const { return static_cast<int>(memory_.size()) / kTileTexels - kScratchPlanes; }
-    float* plane(int index) { return memory_.data() + std::ptrdiff_t{index} * kTileTexels; }
+    int scratch() const { return static_cast<int>(memory_.size()) / kPlaneStride - kScratchPlanes; }
+    float* plane(int index) { return memory_.data() + std::ptrdiff_t{index} * kPlaneStride; }
 
     PixelVector<float> memory_;
 };
