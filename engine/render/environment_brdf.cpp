@@ -38,14 +38,24 @@ double level_share_for(double width, const LevelWidths& widths) {
     return 1.0;
 }
 
-EnvironmentBrdf table_entry(float n_dot_v, float roughness, const LevelWidths& widths) {
+formulae::BrdfTerms shared_terms(const PbrTerms& terms) {
+    return {.distribution = static_cast<int>(terms.distribution),
+            .geometry = static_cast<int>(terms.geometry),
+            .fresnel = static_cast<int>(terms.fresnel),
+            // The lecture's diffuse term is for lamps, whose light it does not divide by pi.
+            .diffuse = static_cast<int>(terms.diffuse == DiffuseTerm::Lecture ? DiffuseTerm::Lambert
+                                                                              : terms.diffuse)};
+}
+
+EnvironmentBrdf table_entry(const formulae::BrdfTerms& terms, float n_dot_v, float roughness,
+                            const LevelWidths& widths) {
     const float alpha = formulae::alpha_from_roughness(roughness);
     double scale = 0.0;
     double bias = 0.0;
     glm::dvec2 mean(0.0);  // away from the eye, and along n; across is 0 by symmetry
     for (unsigned i = 0; i < kSamples; ++i) {
-        const formulae::SplitSumSample sample = formulae::split_sum_sample(
-            formulae::GEOMETRY_SMITH_SEPARABLE, formulae::hammersley(i, kSamples), n_dot_v, alpha);
+        const formulae::SplitSumSample sample =
+            formulae::split_sum_sample(terms, formulae::hammersley(i, kSamples), n_dot_v, alpha);
         scale += sample.scale;
         bias += sample.bias;
         mean += (double{sample.scale} + sample.bias) * glm::dvec2(-sample.light.x, sample.light.z);
@@ -57,6 +67,33 @@ EnvironmentBrdf table_entry(float n_dot_v, float roughness, const LevelWidths& w
         .bias = static_cast<float>(bias / kSamples),
         .tangent_scale = static_cast<float>(mean.x / (length * sine)),
         .level_share = static_cast<float>(level_share_for(1.0 - length / (scale + bias), widths))};
+}
+
+EnvironmentDiffuse diffuse_entry(const formulae::BrdfTerms& terms, float n_dot_v, float roughness) {
+    double entering = 0.0;
+    double grazing = 0.0;
+    for (unsigned i = 0; i < kSamples; ++i) {
+        const formulae::DiffuseSample sample =
+            formulae::diffuse_sample(terms, formulae::hammersley(i, kSamples), n_dot_v, roughness);
+        entering += sample.entering;
+        grazing += sample.grazing;
+    }
+    return {static_cast<float>(entering / kSamples), static_cast<float>(grazing / kSamples)};
+}
+
+/// A row for each roughness, a column for each n.v, in the middle of each texel.
+template <typename Entry, typename Make>
+std::vector<Entry> table_of(int size, const Make& make) {
+    std::vector<Entry> table(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    const auto middle = [size](std::int64_t i) {
+        return (static_cast<float>(i) + 0.5f) / static_cast<float>(size);
+    };
+    parallel_for(0, size, 2, [&](std::int64_t first, std::int64_t last) {
+        for (std::int64_t j = first; j < last; ++j)
+            for (int i = 0; i < size; ++i)
+                table[static_cast<std::size_t>(j * size + i)] = make(middle(i), middle(j));
+    });
+    return table;
 }
 
 }  // namespace
@@ -79,18 +116,17 @@ std::vector<LobeDirection> prefiltered_lobe(float roughness, unsigned count) {
     return lobe;
 }
 
-std::vector<EnvironmentBrdf> environment_brdf_table(int size) {
+std::vector<EnvironmentBrdf> environment_brdf_table(int size, const PbrTerms& terms) {
     const LevelWidths widths = level_widths();
-    std::vector<EnvironmentBrdf> table(static_cast<std::size_t>(size) *
-                                       static_cast<std::size_t>(size));
-    parallel_for(0, size, 2, [&](std::int64_t first, std::int64_t last) {
-        for (std::int64_t j = first; j < last; ++j)
-            for (int i = 0; i < size; ++i)
-                table[static_cast<std::size_t>(j * size + i)] =
-                    table_entry((static_cast<float>(i) + 0.5f) / static_cast<float>(size),
-                                (static_cast<float>(j) + 0.5f) / static_cast<float>(size), widths);
+    return table_of<EnvironmentBrdf>(size, [&](float n_dot_v, float roughness) {
+        return table_entry(shared_terms(terms), n_dot_v, roughness, widths);
     });
-    return table;
+}
+
+std::vector<EnvironmentDiffuse> environment_diffuse_table(int size, const PbrTerms& terms) {
+    return table_of<EnvironmentDiffuse>(size, [&](float n_dot_v, float roughness) {
+        return diffuse_entry(shared_terms(terms), n_dot_v, roughness);
+    });
 }
 
 }  // namespace patina::render

@@ -9,6 +9,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "render/shading.h"
+
 namespace patina::render {
 
 /// Levels of FilteredEnvironment::specular.
@@ -34,8 +36,17 @@ struct EnvironmentBrdf {
     float level_share;  ///< where the cube is as wide: 0 its first level, 1 the last
 };
 
-/// For glTF's default terms: texel (i, j) of a size x size table is for n.v = (i + 0.5) / size and
+/// For these terms: texel (i, j) of a size x size table is for n.v = (i + 0.5) / size and
 /// roughness = (j + 0.5) / size, rows of n.v.
-std::vector<EnvironmentBrdf> environment_brdf_table(int size);
+std::vector<EnvironmentBrdf> environment_brdf_table(int size, const PbrTerms& terms = {});
+
+/// What the diffuse term sends out of uniform light: a white surface entering (1 - F0) - grazing
+/// (F90 - F0). The lecture's term stands for lamps alone; here it is Lambert's.
+struct EnvironmentDiffuse {
+    float entering;
+    float grazing;
+};
+/// Laid out in the same way.
+std::vector<EnvironmentDiffuse> environment_diffuse_table(int size, const PbrTerms& terms);
 
 }  // namespace patina::render

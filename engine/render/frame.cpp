@@ -142,6 +142,11 @@ double total_ms(const std::vector<PassCost>& passes) {
                            [](double sum, const PassCost& pass) { return sum + pass.gpu_ms; });
 }
 
+std::size_t tables_bytes(RendererState& state, const PbrTerms& terms) {
+    const Result<const EnvironmentTables*> tables = environment_tables(state, terms);
+    return tables ? (*tables)->bytes() : 0;
+}
+
 SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side) {
     SideCost cost;
     cost.passes = state.timers.costs(side);
@@ -151,7 +156,7 @@ SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side)
     if (shading.model == ShadingModel::Pbr && state.environment)
         cost.environment_bytes = state.environment->specular.bytes() +
                                  state.environment->diffuse.bytes() +
-                                 state.environment_brdf.bytes();
+                                 tables_bytes(state, shading.terms);
     return cost;
 }
 

@@ -111,6 +111,9 @@ Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targ
                    .clear_depth = 1.0f});
     (*program)->set("clip_from_world", camera.clip_from_world);
     (*program)->set("level_bias", camera.level_bias);
+    (*program)->set("eye_world", view.camera.orthographic_height > 0.0f
+                                     ? glm::vec4(-camera.forward, 0.0f)
+                                     : glm::vec4(camera.position, 1.0f));
     draw_surfaces(state, pass, **program, base, front_to_back(state.scene->items, view.camera),
                   surfaces);
     return gbuffer;

@@ -11,10 +11,11 @@
 namespace patina::render {
 namespace {
 
-constexpr int kBrdfTableSize = 64;
+constexpr int kTableSize = 64;
 constexpr int kSpecularUnit = 8;
 constexpr int kDiffuseUnit = 9;
 constexpr int kBrdfUnit = 10;
+constexpr int kDiffuseBrdfUnit = 13;
 
 /// One with several levels reads linearly within and between them by itself; see gl::Texture.
 Result<gl::Texture> upload_cube(const HalfCube& cube, std::string label) {
@@ -38,6 +39,14 @@ Result<gl::Texture> upload_cube(const HalfCube& cube, std::string label) {
     return texture;
 }
 
+Result<gl::Texture> upload_table(std::string label, std::span<const float> texels) {
+    Result<gl::Texture> texture = gl::Texture::make({.label = std::move(label),
+                                                     .size = {kTableSize, kTableSize},
+                                                     .format = gl::Format::Rgba32F});
+    if (texture) texture->upload({.size = {kTableSize, kTableSize}}, texels);
+    return texture;
+}
+
 }  // namespace
 
 Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment) {
@@ -56,15 +65,26 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
                           .levels = static_cast<int>(environment.specular.levels.size())};
 }
 
-Result<gl::Texture> upload_environment_brdf() {
-    const std::vector<EnvironmentBrdf> table = environment_brdf_table(kBrdfTableSize);
-    Result<gl::Texture> texture = gl::Texture::make({.label = "environment.brdf",
-                                                     .size = {kBrdfTableSize, kBrdfTableSize},
-                                                     .format = gl::Format::Rgba32F});
-    if (!texture) return texture;
-    texture->upload({.size = {kBrdfTableSize, kBrdfTableSize}},
-                    std::span(&table.front().scale, 4 * table.size()));
-    return texture;
+Result<EnvironmentTables> upload_environment_tables(const PbrTerms& terms) {
+    const std::vector<EnvironmentBrdf> mirrored = environment_brdf_table(kTableSize, terms);
+    Result<gl::Texture> first =
+        upload_table("environment.brdf", std::span(&mirrored.front().scale, 4 * mirrored.size()));
+    if (!first) return passed_on(first);
+    EnvironmentTables tables{std::move(*first), std::nullopt};
+    if (terms.diffuse == DiffuseTerm::Lambert || terms.diffuse == DiffuseTerm::Lecture)
+        return tables;
+    const std::vector<EnvironmentDiffuse> diffuse = environment_diffuse_table(kTableSize, terms);
+    std::vector<float> texels;
+    for (const EnvironmentDiffuse& entry : diffuse)
+        texels.insert(texels.end(), {entry.entering, entry.grazing, 0.0f, 1.0f});
+    Result<gl::Texture> second = upload_table("environment.diffuse brdf", texels);
+    if (!second) return passed_on(second);
+    tables.diffuse = std::move(*second);
+    return tables;
+}
+
+std::size_t EnvironmentTables::bytes() const {
+    return mirrored.bytes() + (diffuse ? diffuse->bytes() : 0);
 }
 
 glm::mat3 environment_from_world(float rotation_degrees) {
@@ -93,10 +113,13 @@ void set_suns(gl::Program& program, const std::vector<EnvironmentSun>& suns) {
 }  // namespace
 
 void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
-                      const gl::Texture& brdf, const gl::Sampler& linear, const View& view) {
+                      const EnvironmentTables& tables, const gl::Sampler& linear,
+                      const View& view) {
     pass.bind_texture(program, "specular_environment", kSpecularUnit, environment.specular);
     pass.bind_texture(program, "diffuse_environment", kDiffuseUnit, environment.diffuse, &linear);
-    pass.bind_texture(program, "environment_brdf", kBrdfUnit, brdf, &linear);
+    pass.bind_texture(program, "environment_brdf", kBrdfUnit, tables.mirrored, &linear);
+    if (tables.diffuse)
+        pass.bind_texture(program, "diffuse_brdf", kDiffuseBrdfUnit, *tables.diffuse, &linear);
     program.set("environment_levels", static_cast<float>(environment.levels));
     program.set("environment_from_world",
                 environment_from_world(view.environment_rotation_degrees));

@@ -3,6 +3,8 @@
 
 /// A filtered environment and the floor's shadow on the GPU.
 
+#include <optional>
+
 #include "core/result.h"
 #include "gl/pass.h"
 #include "gl/sampler.h"
@@ -26,15 +28,21 @@ struct GpuEnvironment {
 };
 
 Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment);
-/// The table of environment_brdf_table.
-Result<gl::Texture> upload_environment_brdf();
+/// How surfaces with some terms mirror and scatter the environment.
+struct EnvironmentTables {
+    gl::Texture mirrored;  ///< environment_brdf_table
+    std::optional<gl::Texture>
+        diffuse;  ///< environment_diffuse_table; unset: Lambert's closed form
+    std::size_t bytes() const;
+};
+Result<EnvironmentTables> upload_environment_tables(const PbrTerms& terms);
 
 /// From world directions to those of the map: the map turns counter-clockwise from above.
 glm::mat3 environment_from_world(float rotation_degrees);
 
-/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10.
+/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10, and 13.
 void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
-                      const gl::Texture& brdf, const gl::Sampler& linear, const View& view);
+                      const EnvironmentTables& tables, const gl::Sampler& linear, const View& view);
 
 struct GpuGroundShadow {
     gl::Texture light;

@@ -42,6 +42,7 @@ void set_lighting(gl::Program& program, const View& view, const Shading& shading
     program.set("phong_exponent_override", shading.phong.exponent.value_or(-1.0f));
     program.set("phong_specular_color_override",
                 shading.phong.specular_color_linear.value_or(glm::vec3(-1.0f)));
+    program.set("phong_specular_strength", shading.phong.specular_strength);
 }
 
 }  // namespace patina::render

@@ -21,10 +21,12 @@ constexpr std::array<const char*, 5> kGBufferSamplers = {
 
 using Constants = std::vector<gl::ShaderDefine>;
 
-void add_shading_constants(Constants& constants, const RendererState& state, const Shading& shading,
+void add_shading_constants(Constants& constants, const RendererState& state, const SideView& side,
                            const PictureTarget& target) {
+    const auto& [view, shading, of_comparison] = side;
     constants.push_back(shader_constant("SHADOW_COUNT", state.shadow_maps.plan.lights.size()));
     constants.push_back(shader_constant("AREA_LIGHTS", state.lights.any_has_size()));
+    constants.push_back(shader_constant("OCCLUDE_REFLECTIONS", view.occlude_reflections));
     constants.push_back(shader_constant("SHADING_MODEL", shading.model));
     constants.push_back(shader_constant("DISTRIBUTION", shading.terms.distribution));
     constants.push_back(shader_constant("GEOMETRY", shading.terms.geometry));
@@ -71,12 +73,19 @@ void set_background(gl::Pass& pass, gl::Program& program, const RendererState& s
     program.set("floor_radius", std::max(state.scene->bounds_world.radius(), 1e-6f));
 }
 
+/// What a pass reads beside surfaces.
+struct PassLight {
+    const SideView& side;
+    const PictureTarget& target;
+    const EnvironmentTables& tables;
+};
+
 void bind_light(gl::Pass& pass, gl::Program& program, const RendererState& state,
-                const SideView& side, const PictureTarget& target) {
+                const PassLight& light) {
+    const auto& [side, target, tables] = light;
     if (target.still)
         bind_environment_samples(pass, program, *state.sampled_environment, *target.still);
-    bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
-                     side.view);
+    bind_environment(pass, program, *state.environment, tables, state.linear, side.view);
     state.lights.bind(pass, program);
     set_lighting(program, side.view, side.shading, *state.environment);
     bind_shadows(pass, program, state, target.draw_index);
@@ -118,7 +127,7 @@ bool has_surface_target(const LightingInputs& inputs) {
 ShaderVariant lighting_variant(const RendererState& state, const SideView& side,
                                const LightingInputs& inputs, const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/lighting.frag", {}};
-    add_shading_constants(variant.constants, state, side.shading, target);
+    add_shading_constants(variant.constants, state, side, target);
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, side.view);
     variant.constants.push_back(shader_constant("CHANNEL", side.view.channel));
@@ -151,6 +160,8 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
     const Result<gl::Program*> found =
         state.shaders.program(lighting_variant(state, side, inputs, target));
     if (!found) return passed_on(found);
+    const auto tables = environment_tables(state, side.shading.terms);
+    if (!tables) return passed_on(tables);
     gl::Program& program = **found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Lighting");
     gl::Pass pass(full_screen_pass("lighting", target));
@@ -159,7 +170,7 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
     set_background(pass, program, state, side.view);
     set_channel_range(program, state, side.view, camera);
     program.set("gbuffer_pixel_override", only_pixel.value_or(glm::ivec2(-1)));
-    bind_light(pass, program, state, side, target);
+    bind_light(pass, program, state, {side, target, **tables});
     bind_inputs(pass, program, inputs);
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
@@ -168,10 +179,12 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
 Status draw_forward(RendererState& state, const SideView& side, const FrameCamera& camera,
                     SurfaceSet surfaces, const PictureTarget& target) {
     ShaderVariant variant{kSurfaceVertexFile, "passes/forward.frag", {}};
-    add_shading_constants(variant.constants, state, side.shading, target);
+    add_shading_constants(variant.constants, state, side, target);
     variant.constants.push_back(shader_constant("FILTER_NORMALS", filters_normals(side.view)));
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
+    const auto tables = environment_tables(state, side.shading.terms);
+    if (!tables) return passed_on(tables);
     gl::Program& program = **found;
     const bool blended = surfaces == SurfaceSet::Blended;
     const gl::State base =
@@ -191,7 +204,7 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     set_camera(program, camera, target);
     program.set("clip_from_world", camera.clip_from_world);
     program.set("level_bias", camera.level_bias);
-    bind_light(pass, program, state, side, target);
+    bind_light(pass, program, state, {side, target, **tables});
     const auto order = blended ? back_to_front : front_to_back;
     draw_surfaces(state, pass, program, base, order(state.scene->items, side.view.camera),
                   surfaces);
@@ -205,14 +218,15 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     add_background_constants(variant.constants, side.view);
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
+    const auto tables = environment_tables(state, side.shading.terms);
+    if (!tables) return passed_on(tables);
     gl::Program& program = **found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Post");
     gl::Pass pass(full_screen_pass("post", target));
     set_camera(program, camera, target);
     set_output(program, side.view);
     set_background(pass, program, state, side.view);
-    bind_environment(pass, program, *state.environment, state.environment_brdf, state.linear,
-                     side.view);
+    bind_environment(pass, program, *state.environment, **tables, state.linear, side.view);
     program.set("radiance_offset", radiance.picture_offset);
     program.set("radiance_share", 1.0f / static_cast<float>(radiance.draws));
     pass.bind_texture(program, "radiance", 0, radiance.sum->color(0));

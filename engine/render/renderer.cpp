@@ -74,12 +74,11 @@ Result<gl::Framebuffer*> SizedTarget::at(glm::ivec2 size) {
 }
 
 RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials made_materials,
-                             gl::Texture made_environment_brdf, GpuGroundShadow made_shadow)
+                             GpuGroundShadow made_shadow)
     : shaders(std::move(shader_folder)),
       full_screen(gl::VertexArray::make({.label = "full screen"})),
       linear(linear_sampler()),
       materials(std::move(made_materials)),
-      environment_brdf(std::move(made_environment_brdf)),
       shadow(std::move(made_shadow)),
       gbuffer("gbuffer"),
       strip_gbuffer("strip gbuffer"),
@@ -105,6 +104,17 @@ Status require_content(const RendererState& state) {
     return {};
 }
 
+Result<const EnvironmentTables*> environment_tables(RendererState& state, const PbrTerms& terms) {
+    PbrTerms wanted = terms;
+    wanted.multiple_scattering = false;  // is a factor of what the tables hold
+    for (const auto& [made_for, tables] : state.environment_tables)
+        if (made_for == wanted) return &tables;
+    Result<EnvironmentTables> made = upload_environment_tables(wanted);
+    if (!made) return passed_on(made);
+    state.environment_tables.emplace_back(wanted, std::move(*made));
+    return &state.environment_tables.back().second;
+}
+
 Renderer::Renderer(std::unique_ptr<RendererState> state) : state_(std::move(state)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -115,13 +125,13 @@ Result<Renderer> Renderer::create() {
     if (!shaders) return passed_on(shaders);
     Result<GpuMaterials> materials = GpuMaterials::make();
     if (!materials) return passed_on(materials);
-    Result<gl::Texture> brdf = upload_environment_brdf();
-    if (!brdf) return passed_on(brdf);
     Result<GpuGroundShadow> shadow =
         upload_ground_shadow({.side = 1, .extent = 0.0f, .light = {255}});
     if (!shadow) return passed_on(shadow);
-    return Renderer(std::make_unique<RendererState>(*shaders, std::move(*materials),
-                                                    std::move(*brdf), std::move(*shadow)));
+    auto state =
+        std::make_unique<RendererState>(*shaders, std::move(*materials), std::move(*shadow));
+    if (const auto tables = environment_tables(*state, {}); !tables) return passed_on(tables);
+    return Renderer(std::move(state));
 }
 
 Status Renderer::set_scene(const ScenePtr& scene) {

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
@@ -48,7 +50,7 @@ struct GBufferTargets {
 
 struct RendererState {
     RendererState(std::filesystem::path shader_folder, GpuMaterials made_materials,
-                  gl::Texture made_environment_brdf, GpuGroundShadow made_shadow);
+                  GpuGroundShadow made_shadow);
 
     ShaderVariants shaders;
     gl::VertexArray full_screen;
@@ -56,7 +58,7 @@ struct RendererState {
     PassTimers timers;
 
     GpuMaterials materials;
-    gl::Texture environment_brdf;
+    std::vector<std::pair<PbrTerms, EnvironmentTables>> environment_tables;  ///< of all terms seen
     std::optional<GpuEnvironment> environment;
     std::optional<SampledEnvironment> sampled_environment;  ///< made for the first still
     std::optional<GpuScene> scene;
@@ -85,6 +87,10 @@ struct RendererState {
     PictureSize last_size;
     const SizedTarget* shown = nullptr;  ///< which target holds the picture
 };
+
+/// How the environment is mirrored and scattered with these terms; made where that has not been
+/// done. Valid until others are made.
+Result<const EnvironmentTables*> environment_tables(RendererState& state, const PbrTerms& terms);
 
 /// A failure that says so while no scene or no environment has been set.
 Status require_content(const RendererState& state);

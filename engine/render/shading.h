@@ -77,11 +77,15 @@ inline constexpr PbrTerms kLectureTerms = {
 /// What Phong and Blinn-Phong do not take from the material. Unset: by the stated conversion
 /// (shaders/shared/phong.glsl).
 struct PhongSettings {
-    std::optional<float> exponent;                   ///< 1 to 10000
+    std::optional<float> exponent;                   ///< kLeastPhongExponent to kMostPhongExponent
     std::optional<glm::vec3> specular_color_linear;  ///< 0 to 1
     std::optional<glm::vec3> ambient_linear;  ///< irradiance / pi; else the environment's mean
+    float specular_strength = 1.0f;  ///< times the specular colour, 0 to kMostPhongStrength
     bool operator==(const PhongSettings&) const = default;
 };
+inline constexpr float kLeastPhongExponent = 1.0f;
+inline constexpr float kMostPhongExponent = 10000.0f;
+inline constexpr float kMostPhongStrength = 4.0f;
 
 /// How a side gets its picture. The shading is the same; what they cost is not.
 enum class RenderPath {

@@ -90,6 +90,10 @@ struct View {
     /// Roughness takes in what of the normal map is finer than a pixel, against glints. Not where
     /// the environment is sampled: the many draws of such a picture see the normal map itself.
     bool filter_normals = true;
+    /// What a surface mirrors of the environment is held back by the occlusion map as far as that
+    /// hides the lobe, and where a normal map would mirror what lies below the surface. False: by
+    /// the occlusion map alone, as much as diffuse light.
+    bool occlude_reflections = true;
     bool operator==(const View&) const = default;
 };
 

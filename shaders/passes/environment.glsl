@@ -5,6 +5,7 @@
 uniform samplerCube specular_environment;  // radiance convolved with GGX, rougher with each level
 uniform samplerCube diffuse_environment;   // irradiance / pi
 uniform sampler2D environment_brdf;        // by n.v and roughness, see environment_brdf_of
+uniform sampler2D diffuse_brdf;            // likewise, of the diffuse terms but Lambert's
 uniform float environment_levels;          // of specular_environment
 uniform mat3 environment_from_world;       // the rotation of the map
 uniform float environment_intensity;

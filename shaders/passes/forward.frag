@@ -12,8 +12,9 @@ void main() {
     Material m = sampled_material();
     if (is_cut_out(m.alpha)) discard;
     if (material.alpha.x < 1.5) m.alpha = 1.0;
-    Surface s = Surface(m.base_color, m.metalness, m.normal, m.roughness, m.f0, m.f90, m.emissive,
-                        m.occlusion, position_world, material.alpha.w > 0.5);
     vec3 v = -ray_through(picture_pixel()).direction;
+    Surface s = Surface(m.base_color, m.metalness, m.normal, m.roughness, m.f0, m.f90, m.emissive,
+                        m.occlusion, horizon_of(m.normal, m.surface_normal, v), position_world,
+                        material.alpha.w > 0.5);
     color = vec4(radiance_of(s, lit_surface(s, v)) * m.alpha, m.alpha);
 }

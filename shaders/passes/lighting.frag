@@ -6,6 +6,7 @@
 #include "passes/background.glsl"
 #include "passes/channels.glsl"
 #include "passes/shading.glsl"
+#include "passes/stored_normal.glsl"
 
 uniform sampler2D albedo;
 uniform sampler2D normal_roughness;
@@ -31,7 +32,9 @@ Surface read_surface(ivec2 texel, vec3 position) {
     Surface s;
     s.base_color = base_metal.rgb;
     s.metalness = base_metal.a;
-    s.normal = normalize(normal_rough.xyz);
+    float stored = length(normal_rough.xyz);
+    s.normal = normal_rough.xyz / stored;
+    s.horizon = stored_horizon(stored);
     s.roughness = normal_rough.w;
     s.f0 = texelFetch(specular_ior, texel, 0).rgb;
     s.emissive = emissive_ao.rgb;

@@ -19,9 +19,18 @@ struct Surface {
     float f90;
     vec3 emissive;
     float occlusion;
+    float horizon;  // what of the mirrored environment lies above it, 0 to 1
     vec3 position;  // world
     bool unlit;
 };
+
+/// What of uniform light comes back diffusely from a white surface with that F0 and F90.
+vec3 environment_entering(vec3 f0, float f90, float n_dot_v, float roughness) {
+    if (AMBIENT_TERMS.diffuse == DIFFUSE_LAMBERT)
+        return 1.0 - mix(f0, vec3(f90), schlick_mean(n_dot_v));
+    vec2 table = textureLod(diffuse_brdf, vec2(n_dot_v, roughness), 0.0).xy;
+    return table.x * (1.0 - f0) - table.y * (f90 - f0);
+}
 
 /// Radiance towards the eye, in parts.
 struct Lit {
@@ -37,6 +46,7 @@ struct PbrSurface {
     vec3 dielectric;  // F0 of what is not metal
     vec3 boost;       // of the specular part, for light that is scattered several times
     float n_dot_v;
+    float mirrored_share;  // what of the environment that it mirrors reaches it
     EnvironmentBrdf environment;
 };
 

@@ -48,7 +48,8 @@ struct Material {
     float alpha;
     float metalness;
     float roughness;
-    vec3 normal;  // world, unit, towards the side that is seen
+    vec3 normal;          // world, unit, towards the side that is seen
+    vec3 surface_normal;  // the same without the normal map
     vec3 f0;
     float f90;
     float ior;
@@ -67,6 +68,7 @@ vec4 slot_value(int slot, sampler2D map) {
 
 struct ShadingNormal {
     vec3 world;      // unit
+    vec3 surface;    // unit: without the map
     float variance;  // of the normals that it is the mean of
 };
 
@@ -74,7 +76,8 @@ struct ShadingNormal {
 /// picture), z out of the surface; alpha is the deviation of what a texel is the mean of. The back of
 /// a double-sided surface is seen with all three turned.
 ShadingNormal shading_normal() {
-    vec3 normal = normalize(normal_world);
+    vec3 surface = normalize(normal_world);
+    vec3 normal = surface;
     float variance = 0.0;
     vec4 row_u = material.slots[SLOT_NORMAL].uv_row_u;
     vec4 row_v = material.slots[SLOT_NORMAL].uv_row_v;
@@ -92,7 +95,15 @@ ShadingNormal shading_normal() {
             mapped.x * tangent_world.xyz + mapped.y * bitangent + mapped.z * normal_world;
         normal = dot(turned, turned) > 0.0 ? normalize(turned) : normal;
     }
-    return ShadingNormal(gl_FrontFacing ? normal : -normal, variance);
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    return ShadingNormal(side * normal, side * surface, variance);
+}
+
+/// What the surface leaves of the light that its normal map mirrors towards v (unit, to the eye).
+/// 1 without a map, also where an interpolated normal is turned away from the eye.
+float horizon_of(vec3 normal, vec3 surface_normal, vec3 v) {
+    if (material.slots[SLOT_NORMAL].uv_row_v.w < 0.5) return 1.0;
+    return horizon_share(dot(reflect(-v, normal), surface_normal));
 }
 
 Material sampled_material() {
@@ -105,6 +116,7 @@ Material sampled_material() {
     m.roughness = clamp(metallic_roughness.y, 0.0, 1.0);
     ShadingNormal normal = shading_normal();
     m.normal = normal.world;
+    m.surface_normal = normal.surface;
     if (FILTER_NORMALS == 1 && normal.variance > 0.0)
         m.roughness = roughness_with_variance(m.roughness, normal.variance);
     m.ior = material.ior_emissive.x;

@@ -2,7 +2,8 @@
 // Light on a surface: the same text for the deferred pass and for blended surfaces.
 // Constants: SHADING_MODEL, DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE, MULTIPLE_SCATTERING; they are
 // the enumerators of engine/render/shading.h. SAMPLED_ENVIRONMENT: 1 in stills that converge.
-// AREA_LIGHTS: 0 where no lamp has a size. Those of shadows.glsl.
+// AREA_LIGHTS: 0 where no lamp has a size. OCCLUDE_REFLECTIONS: render::View::occlude_reflections.
+// Those of shadows.glsl.
 
 #include "passes/area_lighting.glsl"
 #include "passes/camera.glsl"
@@ -24,6 +25,7 @@ uniform vec3 ambient_key_irradiance;  // Phong: its strongest directional light 
 uniform vec3 ambient_key_direction;   // ... and where that is, unit
 uniform float phong_exponent_override;        // below 0: from roughness
 uniform vec3 phong_specular_color_override;  // below 0: from F0
+uniform float phong_specular_strength;       // times either colour
 
 /// F0 of what is not metal in a mixture: material_f0 solved for it.
 vec3 dielectric_part_f0(Surface s) {
@@ -36,11 +38,12 @@ vec3 dielectric_part_f0(Surface s) {
 void add_environment_light(inout Lit lit, Surface s, PbrSurface p, vec3 v, vec3 l, vec3 received,
                            float specular_share, float roughness) {
     ReflectionAngles angles = reflection_angles(s.normal, v, l);
-    vec3 light = s.occlusion * environment_intensity * received * angles.n_dot_l;
-    lit.diffuse_ambient += light * brdf_diffuse(AMBIENT_TERMS, angles, p.diffuse, p.dielectric,
-                                                s.f90, s.roughness);
+    vec3 light = environment_intensity * received * angles.n_dot_l;
+    lit.diffuse_ambient += s.occlusion * light *
+                           brdf_diffuse(AMBIENT_TERMS, angles, p.diffuse, p.dielectric, s.f90,
+                                        s.roughness);
     lit.specular_ambient +=
-        specular_share * light * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
+        p.mirrored_share * specular_share * light * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
 }
 
 /// What of the environment's suns reaches a surface.
@@ -73,8 +76,8 @@ void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
     // The split sum: what is mirrored of a uniform environment, times the filtered one.
     vec3 mirrored = (s.f0 * p.environment.scale + s.f90 * p.environment.bias) * p.boost;
     lit.specular_ambient =
-        s.occlusion * mirrored * environment_mirrored(p.environment, s.normal, v);
-    vec3 entering = 1.0 - mix(p.dielectric, vec3(s.f90), schlick_mean(p.n_dot_v));
+        p.mirrored_share * mirrored * environment_mirrored(p.environment, s.normal, v);
+    vec3 entering = environment_entering(p.dielectric, s.f90, p.n_dot_v, s.roughness);
     lit.diffuse_ambient = s.occlusion * p.diffuse * entering * environment_diffuse(s.normal);
     float missing = suns_missing(p.environment.level_share);
     float reaching[MOST_SUNS] = suns_reaching(s);
@@ -120,6 +123,10 @@ Lit lit_pbr(Surface s, vec3 v) {
     p.dielectric = dielectric_part_f0(s);
     p.n_dot_v = clamp(dot(s.normal, v), LEAST_N_DOT_V, 1.0);
     p.environment = environment_brdf_of(p.n_dot_v, s.roughness);
+    p.mirrored_share =
+        OCCLUDE_REFLECTIONS == 1
+            ? s.horizon * mirrored_share(p.n_dot_v, s.occlusion, alpha_from_roughness(s.roughness))
+            : s.occlusion;
     p.boost = MULTIPLE_SCATTERING == 1
                   ? multiple_scattering_scale(s.f0, p.environment.scale + p.environment.bias)
                   : vec3(1.0);
@@ -155,6 +162,7 @@ PhongMaterial traditional_material(Surface s) {
             : blinn_phong_material(s.base_color, s.metalness, s.roughness, s.f0);
     if (phong_exponent_override >= 0.0) m.exponent = phong_exponent_override;
     if (phong_specular_color_override.x >= 0.0) m.specular = phong_specular_color_override;
+    m.specular *= phong_specular_strength;
     return m;
 }
 

@@ -277,6 +277,26 @@ Real3 multiple_scattering_scale(Real3 f0, Real directional_albedo) {
     return Real3(1.0f) + f0 * (1.0f / max(directional_albedo, 1e-3f) - 1.0f);
 }
 
+// Light from all around that does not reach a surface.
+
+/// What of the mirrored environment an occlusion map leaves: with occlusion 1 all of it, with 0
+/// nothing; the more of the lobe lies within what is open, the more. occlusion: the share of a
+/// uniform sky that reaches the surface, 0..1. Sebastien Lagarde and Charles de Rousiers, "Moving
+/// Frostbite to physically based rendering", 2014, section 4.10.2.
+Real mirrored_share(Real n_dot_v, Real occlusion, Real alpha) {
+    Real open = max(n_dot_v + occlusion, 1e-4f);
+    Real share = pow_poly(open, exp2_poly(-16.0f * alpha - 1.0f)) - 1.0f + occlusion;
+    return select(occlusion < 1.0f, clamp(share, 0.0f, 1.0f), Real(1.0f));
+}
+
+/// What is left of light from the mirrored direction of a normal map, by its cosine to the normal of
+/// the surface itself: all above the horizon, less and less below. Jeff Russell, "Horizon occlusion
+/// for normal mapped reflections", 2013.
+Real horizon_share(Real cosine) {
+    Real left = clamp(1.0f + 1.3f * cosine, 0.0f, 1.0f);
+    return left * left;
+}
+
 // Sampling. Directions are in the tangent frame: z along the normal.
 
 /// Point i of a set of `count` in the unit square. J. M. Hammersley, 1960; the second coordinate is

@@ -85,20 +85,45 @@ struct SplitSumSample {
     Real bias;
 };
 
-/// For u of the unit square. Brian Karis, "Real shading in Unreal Engine 4", 2013.
-SplitSumSample split_sum_sample(int geometry, Real2 u, Real n_dot_v, Real alpha) {
+/// For u of the unit square. Brian Karis, "Real shading in Unreal Engine 4", 2013. Other
+/// distributions are weighted against GGX, which is drawn.
+SplitSumSample split_sum_sample(BrdfTerms terms, Real2 u, Real n_dot_v, Real alpha) {
     Real3 h = sample_ggx_half_vector(u, alpha);
     Real3 v = Real3(sqrt(max(1.0f - n_dot_v * n_dot_v, 0.0f)), 0.0f, n_dot_v);
     Real v_dot_h = clamp(dot(v, h), 0.0f, 1.0f);
     SplitSumSample result;
     result.light = h * (2.0f * v_dot_h) - v;
     Real n_dot_l = result.light.z;
-    Real lit = visibility(geometry, max(n_dot_l, 0.0f), n_dot_v, alpha) * 4.0f * n_dot_l * v_dot_h /
-               max(h.z, 1e-6f);
+    Real lit = visibility(terms.geometry, max(n_dot_l, 0.0f), n_dot_v, alpha) * 4.0f * n_dot_l *
+               v_dot_h / max(h.z, 1e-6f);
+    if (terms.distribution != DISTRIBUTION_GGX)
+        lit = lit * (distribution(terms.distribution, h.z, alpha) / distribution_ggx(h.z, alpha));
     Real weight = select(n_dot_l > 0.0f, lit, 0.0f);
-    Real grazing = schlick_weight(v_dot_h);
+    Real grazing = fresnel(terms.fresnel, v_dot_h, Real3(0.0f), Real(1.0f)).x;
     result.scale = (1.0f - grazing) * weight;
     result.bias = grazing * weight;
+    return result;
+}
+
+/// What one direction adds to the diffuse part in uniform light: of the entering light, and of it
+/// times the curve of the Fresnel term. The means over the unit square are a and b; a white surface
+/// sends out a (1 - F0) - b (F90 - F0).
+struct DiffuseSample {
+    Real entering;
+    Real grazing;
+};
+
+/// For u of the unit square, directions as dense as n.l.
+DiffuseSample diffuse_sample(BrdfTerms terms, Real2 u, Real n_dot_v, Real roughness) {
+    Real3 l = direction_about_z(sqrt(max(1.0f - u.y, 1e-6f)), u.x);
+    Real3 v = Real3(sqrt(max(1.0f - n_dot_v * n_dot_v, 0.0f)), 0.0f, n_dot_v);
+    ReflectionAngles angles = reflection_angles(Real3(0.0f, 0.0f, 1.0f), v, l);
+    Real3 black = Real3(0.0f);
+    DiffuseSample result;
+    result.entering =
+        PI * brdf_diffuse(terms, angles, Real3(1.0f), black, Real(0.0f), roughness).x;
+    result.grazing =
+        result.entering * fresnel(terms.fresnel, angles.v_dot_h, black, Real(1.0f)).x;
     return result;
 }
 

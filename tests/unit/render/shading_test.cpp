@@ -148,6 +148,112 @@ TEST_F(ShadingTest, AWhiteMetalLosesOnlyWhatSingleScatteringLosesAndNothingWithC
     }
 }
 
+/// What a surface sends out of uniform light of radiance 1, by its own sum in double precision:
+/// diffuse in x, mirrored in y.
+glm::dvec2 sent_out(const formulae::BrdfTerms& terms, float n_dot_v, float f0, float roughness) {
+    const formulae::Real3 n(0.0f, 0.0f, 1.0f);
+    const formulae::Real3 v(std::sqrt(1.0f - n_dot_v * n_dot_v), 0.0f, n_dot_v);
+    constexpr int kSide = 400;
+    glm::dvec2 sum(0.0);
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const float z = (static_cast<float>(i) + 0.5f) / kSide;
+            const float phi = 2.0f * 3.14159265f * (static_cast<float>(j) + 0.5f) / kSide;
+            const float s = std::sqrt(1.0f - z * z);
+            const formulae::ReflectionAngles angles =
+                formulae::reflection_angles(n, v, {s * std::cos(phi), s * std::sin(phi), z});
+            const formulae::Real3 f(f0);
+            sum += double{z} *
+                   glm::dvec2(formulae::brdf_diffuse(terms, angles, formulae::Real3(1.0f), f, 1.0f,
+                                                     roughness)
+                                  .x,
+                              formulae::brdf_specular(terms, angles, f, 1.0f, roughness).x);
+        }
+    return sum * (2.0 * 3.14159265358979 / (kSide * kSide));
+}
+
+TEST_F(ShadingTest, EveryTermActsOnTheEnvironmentAsOnLamps) {
+    constexpr float kRoughness = 0.6f;
+    ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(1.0f), 0.0f, kRoughness)));
+    const Image normals = channel(ChannelView::NormalWorld);
+    const Image positions = channel(ChannelView::Position);
+    std::vector<PbrTerms> sets;
+    for (const auto& d : kDistributionTerms) sets.push_back({.distribution = d.value});
+    for (const auto& g : kGeometryTerms) sets.push_back({.geometry = g.value});
+    for (const auto& f : kFresnelTerms) sets.push_back({.fresnel = f.value});
+    for (const auto& d : kDiffuseTerms)
+        if (d.value != DiffuseTerm::Lecture) sets.push_back({.diffuse = d.value});
+    for (const PbrTerms& terms : sets) {
+        view_.left.terms = terms;
+        const Image diffuse = channel(ChannelView::DiffuseAmbient);
+        const Image mirrored = channel(ChannelView::SpecularAmbient);
+        const formulae::BrdfTerms shared = {
+            static_cast<int>(terms.distribution), static_cast<int>(terms.geometry),
+            static_cast<int>(terms.fresnel), static_cast<int>(terms.diffuse)};
+        for (const int x : {32, 44, 50}) {
+            const glm::vec3 n(pixel_of(normals, x, 32));
+            const glm::vec3 v =
+                glm::normalize(view_.camera.position - glm::vec3(pixel_of(positions, x, 32)));
+            const glm::dvec2 sum = sent_out(shared, glm::dot(n, v), 0.04f, kRoughness);
+            const auto where = [&] {
+                return testing::Message()
+                       << x << ": " << shared.distribution << " " << shared.geometry << " "
+                       << shared.fresnel << " " << shared.diffuse;
+            };
+            EXPECT_NEAR(pixel_of(diffuse, x, 32).g, sum.x, 0.01) << where();
+            EXPECT_NEAR(pixel_of(mirrored, x, 32).g, sum.y, 0.03 * sum.y + 0.001) << where();
+        }
+    }
+}
+
+TEST_F(ShadingTest, OcclusionHoldsMirroredLightBackAsFarAsItHidesTheLobe) {
+    for (const float roughness : {0.1f, 0.5f}) {
+        SurfaceMaterial surface = constant_surface(glm::vec3(1.0f), 1.0f, roughness);
+        ASSERT_TRUE(renderer().set_material(0, surface));
+        const float open = middle(ChannelView::SpecularAmbient).g;
+        surface[Slot::Occlusion].multiply = glm::vec4(0.4f);
+        surface[Slot::Occlusion].add = glm::vec4(0.0f);
+        ASSERT_TRUE(renderer().set_material(0, surface));
+        view_.occlude_reflections = true;
+        EXPECT_NEAR(middle(ChannelView::SpecularAmbient).g / open,
+                    formulae::mirrored_share(1.0f, 0.4f, roughness * roughness), 0.01f);
+        view_.occlude_reflections = false;
+        EXPECT_NEAR(middle(ChannelView::SpecularAmbient).g / open, 0.4f, 0.01f);
+    }
+}
+
+/// One direction everywhere, in tangent space.
+ImagePtr tilted(const glm::vec3& normal) {
+    Image image{.width = 4, .height = 4, .channels = 3, .type = SampleType::U8, .data = {}};
+    for (int i = 0; i < 16; ++i)
+        for (int c = 0; c < 3; ++c)
+            image.data.push_back(static_cast<std::byte>(std::lround(normal[c] * 127.5f + 127.5f)));
+    return std::make_shared<const Image>(std::move(image));
+}
+
+TEST_F(ShadingTest, ANormalMapMirrorsNothingFromFarBelowItsSurface) {
+    show(scene_of(shape_mesh(Shape::Plane)));
+    const auto mirrored = [&](const glm::vec3& mapped, bool occluded, int draws) {
+        SurfaceMaterial surface = constant_surface(glm::vec3(1.0f), 1.0f, 0.1f);
+        surface[Slot::Normal].texture.pixels = tilted(glm::normalize(mapped));
+        EXPECT_TRUE(renderer().set_material(0, surface));
+        view_.occlude_reflections = occluded;
+        View view = view_;
+        view.channel = ChannelView::SpecularAmbient;
+        return pixel_of(value_of(renderer().still_linear(view, kSize, draws)), 32, 32).g;
+    };
+    // From the side, against a normal that leans away from the eye: it mirrors the ground.
+    view_.camera.position = view_.camera.target + glm::vec3(1.5f, 1.5f, 0.0f);
+    const glm::vec3 leaning(-0.5f, 0.0f, 0.87f);
+    for (const int draws : {1, 64}) {
+        EXPECT_GT(mirrored(leaning, false, draws), 0.7f);
+        EXPECT_LT(mirrored(leaning, true, draws), 0.6f * mirrored(leaning, false, draws)) << draws;
+        // Towards the eye it mirrors the sky, as a flat one does.
+        for (const glm::vec3& other : {glm::vec3(0.3f, 0.0f, 0.95f), glm::vec3(0.0f, 0.0f, 1.0f)})
+            EXPECT_NEAR(mirrored(other, true, draws), mirrored(other, false, draws), 1e-3f);
+    }
+}
+
 TEST_F(ShadingTest, APointLightFallsOffWithTheSquareOfDistanceAndEndsAtItsRange) {
     ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.5f), 0.0f, 1.0f)));
     const glm::vec3 front(0.0f, 0.5f, 0.5f);
@@ -286,6 +392,13 @@ TEST_F(ShadingTest, PhongTakesOverridesInPlaceOfTheConversion) {
     const float broad = pixel_of(channel(ChannelView::SpecularDirect), 44, 32).b;
     view_.left.phong.exponent = 500.0f;
     EXPECT_LT(pixel_of(channel(ChannelView::SpecularDirect), 44, 32).b, 0.1f * broad);
+    view_.left.phong.exponent = 1.0f;
+    view_.left.phong.specular_strength = 0.5f;
+    EXPECT_NEAR(middle(ChannelView::SpecularDirect).b, 0.375f, 0.01f);
+    view_.left.phong.specular_color_linear.reset();
+    const float half = middle(ChannelView::SpecularDirect).g;
+    view_.left.phong.specular_strength = 1.0f;
+    EXPECT_NEAR(middle(ChannelView::SpecularDirect).g, 2.0f * half, 1e-3f);
 }
 
 TEST_F(ShadingTest, UnlitSurfacesShowTheirBaseColour) {

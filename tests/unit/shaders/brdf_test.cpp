@@ -362,5 +362,34 @@ TEST(Brdf, VisibleHalfVectorsAreDrawnWithTheirStatedDensity) {
     }
 }
 
+TEST(ReflectionOcclusion, AnOpenSurfaceMirrorsAllAndAClosedOneNothing) {
+    for (const float n_dot_v : {0.0f, 0.3f, 1.0f})
+        for (const float alpha : {0.002f, 0.25f, 1.0f}) {
+            EXPECT_EQ(formulae::mirrored_share(n_dot_v, 1.0f, alpha), 1.0f);
+            EXPECT_NEAR(formulae::mirrored_share(n_dot_v, 0.0f, alpha), 0.0f, 1e-5f);
+            float before = 0.0f;
+            for (float occlusion = 0.0f; occlusion <= 1.0f; occlusion += 0.0625f) {
+                const float share = formulae::mirrored_share(n_dot_v, occlusion, alpha);
+                EXPECT_GE(share, before - 1e-5f) << n_dot_v << " " << alpha << " " << occlusion;
+                before = share;
+            }
+        }
+}
+
+TEST(ReflectionOcclusion, ARoughSurfaceSeenHeadOnMirrorsAsMuchAsItScatters) {
+    // The lobe is as wide as that of diffuse light: the exponent of the sum is nearly 0.
+    for (const float occlusion : {0.2f, 0.5f, 0.8f})
+        EXPECT_NEAR(formulae::mirrored_share(1.0f, occlusion, 1.0f), occlusion, 1e-4f);
+    // A narrow lobe looks out of the crevice.
+    EXPECT_GT(formulae::mirrored_share(1.0f, 0.5f, 0.002f), 0.7f);
+}
+
+TEST(ReflectionOcclusion, TheHorizonLeavesAllAboveItAndLessAndLessBelow) {
+    for (const float above : {0.0f, 0.2f, 1.0f}) EXPECT_EQ(formulae::horizon_share(above), 1.0f);
+    EXPECT_LT(formulae::horizon_share(-0.2f), 0.8f);
+    EXPECT_LT(formulae::horizon_share(-0.4f), formulae::horizon_share(-0.2f));
+    EXPECT_EQ(formulae::horizon_share(-0.8f), 0.0f);
+}
+
 }  // namespace
 }  // namespace patina

@@ -121,8 +121,7 @@ Real2 table_entry(float n_dot_v, float roughness) {
     const formulae::uint count = 1024;
     for (formulae::uint i = 0; i < count; ++i) {
         const formulae::SplitSumSample sample = formulae::split_sum_sample(
-            formulae::GEOMETRY_SMITH_SEPARABLE, formulae::hammersley(i, count), n_dot_v,
-            formulae::alpha_from_roughness(roughness));
+            {}, formulae::hammersley(i, count), n_dot_v, formulae::alpha_from_roughness(roughness));
         sum = sum + Real2(sample.scale, sample.bias);
     }
     return sum * (1.0f / static_cast<float>(count));

@@ -234,7 +234,12 @@ Real4 probe_environment(int which, Real4 a, Real4 b) {
         return Real4(h, ggx_visible_density(b.w, v.z, alpha));
     }
     Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
-    SplitSumSample table = split_sum_sample(GEOMETRY_SMITH_CORRELATED, point, 0.1f + 0.9f * b.x,
+    BrdfTerms terms;
+    terms.distribution = DISTRIBUTION_GGX;
+    terms.geometry = GEOMETRY_SMITH_CORRELATED;
+    terms.fresnel = FRESNEL_SCHLICK;
+    terms.diffuse = DIFFUSE_LAMBERT;
+    SplitSumSample table = split_sum_sample(terms, point, 0.1f + 0.9f * b.x,
                                             alpha_from_roughness(0.2f + 0.8f * b.y));
     Real level = prefiltered_level_share(b.z);
     return Real4(table.scale + schlick_mean(a.w), table.bias + roughness_under_disc(a.y, 0.1f) + roughness_with_variance(a.y, b.w),
@@ -290,6 +295,23 @@ Real4 probe_area_light(int which, Real4 a, Real4 b) {
                  rectangle_nearest(r, mirrored).y);
 }
 
+Real4 probe_ambient(int which, Real4 a, Real4 b) {
+    BrdfTerms terms;
+    terms.distribution = DISTRIBUTION_BECKMANN;
+    terms.geometry = GEOMETRY_SCHLICK_GGX;
+    terms.fresnel = FRESNEL_SPHERICAL_GAUSSIAN;
+    terms.diffuse = DIFFUSE_OREN_NAYAR;
+    Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
+    if (which == 1) {
+        SplitSumSample table = split_sum_sample(terms, point, 0.1f + 0.9f * b.x,
+                                                alpha_from_roughness(0.3f + 0.7f * b.y));
+        return Real4(table.scale, table.bias, table.light.x, table.light.z);
+    }
+    DiffuseSample diffuse = diffuse_sample(terms, point, 0.1f + 0.9f * b.x, b.y);
+    return Real4(mirrored_share(a.x, a.y, 0.01f + 0.99f * a.z), horizon_share(2.0f * a.w - 1.0f),
+                 diffuse.entering, diffuse.grazing);
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -305,6 +327,7 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which == 49) return probe_neighbourhood(a, b);
     if (which == 50) return probe_relief(a, b);
     if (which < 55) return probe_area_light(which - 51, a, b);
+    if (which < 57) return probe_ambient(which - 55, a, b);
     return Real4(-1.0f);
 }
 

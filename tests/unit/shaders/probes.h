@@ -73,6 +73,8 @@ inline constexpr Probe kProbes[] = {
     {"rectangle_direction, rectangle_density", 1e-3f},
     {"sphere_direction, sphere_is_met, rectangle_is_met", 1e-5f},
     {"sphere_nearest, rectangle_nearest", 1e-4f},
+    {"mirrored_share, horizon_share, diffuse_sample", 1e-4f},
+    {"split_sum_sample of other terms", 3e-4f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 
