@@ -99,6 +99,33 @@ TEST_F(Render, EachTermChangesTheLightOfALamp) {
     }
 }
 
+TEST_F(Render, EachOverrideOfPhongChangesItsPictureAndLeavesPbrAsItIs) {
+    const std::string lamp = R"({"kind":"point","position":[1,2,2],"intensity":30})";
+    const auto picture = [&](std::vector<std::string> words) {
+        words.insert(words.end(), {"--light", lamp});
+        EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);
+        return file_text(at("a.png"));
+    };
+    const std::string plain = picture({"--shading", "phong"});
+    for (const std::vector<std::string>& change :
+         std::vector<std::vector<std::string>>{{"--phong-exponent", "3"},
+                                               {"--phong-specular", "#ff0000"},
+                                               {"--phong-strength", "0"},
+                                               {"--phong-ambient", "#4060ff"}}) {
+        std::vector<std::string> words = change;
+        words.insert(words.end(), {"--shading", "phong"});
+        EXPECT_TRUE(picture(words) != plain) << change[0];
+        EXPECT_TRUE(picture(change) == picture({})) << change[0];
+    }
+}
+
+TEST_F(Render, APhongExponentBeyondItsRangeAndAColourThatIsNoneAreWrongUsage) {
+    EXPECT_EQ(render({"--phong-exponent", "0.5"}, "a.png").status, 2);
+    const Outcome outcome = render({"--phong-specular", "red"}, "a.png");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("'red' is no colour"));
+}
+
 TEST_F(Render, BothPathsGiveThePictureAtTheirOwnCost) {
     const Outcome deferred = render({"--json"}, "deferred.png");
     const Outcome forward = render({"--path", "forward", "--json"}, "forward.png");

@@ -107,6 +107,27 @@ TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
     ASSERT_TRUE(editor.wait_for("the old explanation", [&] { return steps().size() == 1; }));
 }
 
+TEST_F(ViewTest, PhongTakesItsOwnSettingsWhereTheirBoxesAreTicked) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor, "sample.glb"));
+    editor.key("o");
+    ASSERT_TRUE(editor.wait_fact("left", "phong"));
+    ASSERT_TRUE(editor.click("Properties", "Material", "tab"));
+    ASSERT_TRUE(editor.settle());
+    const std::string content = editor.fact("content");
+    EXPECT_FALSE(editor.find("Properties/Shading terms", "Exponent", "slider").has_value());
+    ASSERT_TRUE(editor.click("Properties/Shading terms", "Set exponent", "checkbox"));
+    ASSERT_TRUE(editor.wait_for("the exponent", [&] {
+        const auto field = editor.find("Properties/Shading terms", "Exponent", "slider");
+        return field && field->value == "32";
+    }));
+    ASSERT_TRUE(editor.click("Properties/Shading terms", "Set exponent", "checkbox"));
+    ASSERT_TRUE(editor.wait_for("it to go", [&] {
+        return !editor.find("Properties/Shading terms", "Exponent", "slider").has_value();
+    }));
+    EXPECT_EQ(editor.fact("content"), content) << "no edit of the document";
+}
+
 TEST_F(ViewTest, TwoViewsAndTheirDifferenceSayHowFarTheyAreApart) {
     Editor editor(display_.name(), folder_, arguments(sample()));
     ASSERT_TRUE(open(editor, "sample.glb"));

@@ -8,6 +8,7 @@
 #include "core/formulae/formulae.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/shading_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/form.h"
 #include "editor/widgets/number_text.h"
@@ -171,6 +172,10 @@ Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewStat
         view.difference_beside = !beside;
         view.compare = render::CompareMode::TwoViews;
         view.channel = render::ChannelView::Final;
+    }
+    if (render::shows_traditional(view)) {
+        const Place place(ui, "Phong");
+        if (unfold(ui, rest, "Phong", state.unfolded.phong)) phong_fields(ui, rest, view);
     }
     rest.cut_top(ui.px(6));
     if (unfold(ui, rest, "Cost", state.unfolded.cost))

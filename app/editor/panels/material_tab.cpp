@@ -8,6 +8,7 @@
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/light_fields.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/shading_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
 #include "editor/widgets/form.h"
@@ -164,45 +165,14 @@ Requests draw_lights(Ui& ui, Rect& rest, const Document& document, ViewState& vi
     return requests;
 }
 
-/// The terms of the left shading, which the explanation of PBR names.
-void draw_terms(Ui& ui, Rect& rest, ViewState& view) {
+void draw_shading(Ui& ui, Rect& rest, ViewState& view) {
     const Place place(ui, "Shading terms");
     if (!unfold(ui, rest, "Shading terms", "left side", view.unfolded.terms)) return;
     render::Shading& shading = view.view.left;
-    if (shading.model != render::ShadingModel::Pbr) {
-        text(ui, padded_line(ui, rest), ui.fonts.value12, theme::kText3,
-             "Exponent and colours follow from roughness and metalness");
-        return;
-    }
-    render::PbrTerms& terms = shading.terms;
-    if (const auto d = choice_combo(ui, padded_line(ui, rest),
-                                    {.label = "Distribution", .shown_label = "Distribution"},
-                                    render::kDistributionTerms, terms.distribution))
-        terms.distribution = *d;
-    if (const auto g = choice_combo(ui, padded_line(ui, rest),
-                                    {.label = "Geometry", .shown_label = "Geometry"},
-                                    render::kGeometryTerms, terms.geometry))
-        terms.geometry = *g;
-    if (const auto f =
-            choice_combo(ui, padded_line(ui, rest), {.label = "Fresnel", .shown_label = "Fresnel"},
-                         render::kFresnelTerms, terms.fresnel))
-        terms.fresnel = *f;
-    if (const auto d =
-            choice_combo(ui, padded_line(ui, rest), {.label = "Diffuse", .shown_label = "Diffuse"},
-                         render::kDiffuseTerms, terms.diffuse))
-        terms.diffuse = *d;
-    if (labelled_checkbox(ui, padded_line(ui, rest), "Multiple scattering",
-                          terms.multiple_scattering,
-                          "Gives back the energy that single scattering loses"))
-        terms.multiple_scattering = !terms.multiple_scattering;
-    Rect line_box = padded_line(ui, rest);
-    const TextButton standard{.label = "glTF set"};
-    const TextButton lecture{.label = "Lecture set",
-                             .tooltip = "Lacks 1/pi and energy balance: not physical"};
-    if (text_button(ui, line_box.cut_left(text_button_width(ui, standard)), standard)) terms = {};
-    line_box.cut_left(ui.px(4));
-    if (text_button(ui, line_box.cut_left(text_button_width(ui, lecture)), lecture))
-        terms = render::kLectureTerms;
+    if (shading.model == render::ShadingModel::Pbr)
+        term_fields(ui, rest, shading.terms);
+    else
+        phong_fields(ui, rest, view.view);
 }
 
 }  // namespace
@@ -223,7 +193,7 @@ Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     requests.append(draw_material_parts(ui, rest, shown, view));
     requests.append(draw_environment(ui, rest, *shown.document, view));
     requests.append(draw_lights(ui, rest, *shown.document, view));
-    draw_terms(ui, rest, view);
+    draw_shading(ui, rest, view);
     area.set_height(rest.y0 - top + ui.px(12));
     return requests;
 }

@@ -170,6 +170,11 @@ void background_menu(Ui& ui, ViewState& state) {
                    .ticked = view.filter_normals,
                    .tooltip = "What is finer than a pixel makes it rougher, instead of glinting"}))
         view.filter_normals = !view.filter_normals;
+    if (menu.item({.label = "Occluded reflections",
+                   .ticked = view.occlude_reflections,
+                   .tooltip = "What crevices hide, and normal maps would mirror from below the "
+                              "surface, is not mirrored"}))
+        view.occlude_reflections = !view.occlude_reflections;
     const bool smooth = view.anti_aliasing == render::AntiAliasing::Fast;
     if (menu.item({.label = "Smooth edges", .ticked = smooth}))
         view.anti_aliasing = smooth ? render::AntiAliasing::None : render::AntiAliasing::Fast;

@@ -46,6 +46,7 @@ struct Unfolded {
     bool crosshair = true;
     bool difference = true;
     bool terms = true;
+    bool phong = true;
     bool shelf = true;
     bool narrow_shelf = false;       ///< in a narrow window, where it takes much of the room
     std::optional<Channel> channel;  ///< whose source editor is open

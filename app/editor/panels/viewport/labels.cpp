@@ -14,7 +14,9 @@ namespace {
 
 std::string_view shading_note(const render::Shading& shading) {
     if (shading.path == render::RenderPath::Forward) return "forward path";
-    if (shading.model != render::ShadingModel::Pbr) return "exponent from roughness";
+    if (shading.model != render::ShadingModel::Pbr)
+        return shading.phong == render::PhongSettings{} ? "exponent from roughness"
+                                                        : "own settings";
     if (shading.terms == render::kLectureTerms) return "lecture terms";
     return shading.terms == render::PbrTerms{} ? "glTF 2.0, GGX" : "chosen terms";
 }

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_options.h"
+
+#include <array>
+#include <charconv>
+
+#include "core/formulae/formulae.h"
+#include "render/environment.h"
+
+namespace patina::cli {
+namespace {
+
+/// What --shading names: one model, or two against each other.
+struct PictureKind {
+    std::string_view id;
+    render::CompareMode compare;
+    render::ShadingModel left;
+};
+constexpr std::array kPictureKinds = {
+    PictureKind{"pbr", render::CompareMode::Single, render::ShadingModel::Pbr},
+    PictureKind{"phong", render::CompareMode::Single, render::ShadingModel::Phong},
+    PictureKind{"blinn-phong", render::CompareMode::Single, render::ShadingModel::BlinnPhong},
+    PictureKind{"split", render::CompareMode::Split, render::ShadingModel::Pbr},
+    PictureKind{"two-views", render::CompareMode::TwoViews, render::ShadingModel::Pbr},
+    PictureKind{"difference", render::CompareMode::Difference, render::ShadingModel::Pbr},
+};
+
+struct TermSet {
+    std::string_view id;
+    render::PbrTerms terms;
+};
+constexpr std::array kTermSets = {TermSet{"gltf", {}}, TermSet{"lecture", render::kLectureTerms}};
+
+struct NamedDirection {
+    std::string_view id;
+    render::ViewDirection direction;
+};
+constexpr std::array kDirections = {
+    NamedDirection{"three-quarter", render::ViewDirection::ThreeQuarter},
+    NamedDirection{"front", render::ViewDirection::Front},
+    NamedDirection{"back", render::ViewDirection::Back},
+    NamedDirection{"left", render::ViewDirection::Left},
+    NamedDirection{"right", render::ViewDirection::Right},
+    NamedDirection{"top", render::ViewDirection::Top},
+    NamedDirection{"bottom", render::ViewDirection::Bottom},
+};
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    add_size_option(command, "--size", options.request.size.width, options.request.size.height,
+                    "Size of the picture, or of each channel of the strip");
+    command
+        .add_option("--samples", options.request.samples,
+                    "Samples that are averaged; from 64 on the environment is sampled too")
+        ->check(CLI::Range(1, 65536))
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option_function<int>(
+            "--bits",
+            [&options](int bits) {
+                options.request.sample_type = bits == 16 ? SampleType::U16 : SampleType::U8;
+            },
+            "Of each number of a .png or .tif")
+        ->check(CLI::IsMember({8, 16}))
+        ->type_name("8|16")
+        ->default_str("8");
+    command.add_option("--exposure", view.exposure_ev, "Exposure; light is multiplied by 2^EV")
+        ->check(CLI::Range(-20.0, 20.0))
+        ->type_name("EV")
+        ->capture_default_str();
+    add_choice_option(
+        command, "--tone-map", render::kToneMaps,
+        [&view](const auto& entry) { view.tone_map = entry.value; }, "How light becomes colour")
+        ->default_str("pbr-neutral");
+}
+
+/// Terms by themselves, which go over those of --terms.
+void add_term_options(CLI::App& command, RenderOptions& options) {
+    using render::PbrTerms;
+    const auto add = [&]<typename Table, typename Term>(const std::string& flag, const Table& table,
+                                                        Term PbrTerms::*term,
+                                                        const std::string& help) {
+        add_choice_option(
+            command, flag, table,
+            [&options, term](const auto& entry) {
+                options.term_changes.push_back(
+                    [term, value = entry.value](PbrTerms& terms) { terms.*term = value; });
+            },
+            help);
+    };
+    add("--distribution", render::kDistributionTerms, &PbrTerms::distribution, "D of PBR");
+    add("--geometry", render::kGeometryTerms, &PbrTerms::geometry, "G of PBR");
+    add("--fresnel", render::kFresnelTerms, &PbrTerms::fresnel, "F of PBR");
+    add("--diffuse", render::kDiffuseTerms, &PbrTerms::diffuse, "The diffuse term of PBR");
+    command.add_flag_callback(
+        "--multiple-scattering",
+        [&options] {
+            options.term_changes.push_back(
+                [](PbrTerms& terms) { terms.multiple_scattering = true; });
+        },
+        "Give back the energy that single scattering loses");
+}
+
+/// Two hexadecimal digits at each of three places after '#'.
+std::optional<glm::vec3> html_color(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    glm::vec3 color(0.0f);
+    for (int i = 0; i < 3; ++i) {
+        unsigned byte = 0;
+        const char* first = text.data() + 1 + 2 * static_cast<std::size_t>(i);
+        const auto [end, error] = std::from_chars(first, first + 2, byte, 16);
+        if (error != std::errc() || end != first + 2) return std::nullopt;
+        color[i] = static_cast<float>(byte) / 255.0f;
+    }
+    return color;
+}
+
+/// What the traditional models would take from the material; both sides, where both are such.
+void add_phong_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    const auto set = [&view](const auto& change) {
+        change(view.left.phong);
+        change(view.right.phong);
+    };
+    command
+        .add_option_function<float>(
+            "--phong-exponent",
+            [set](float exponent) {
+                set([exponent](render::PhongSettings& phong) { phong.exponent = exponent; });
+            },
+            "Specular power of the traditional models; from roughness if unset")
+        ->check(CLI::Range(render::kLeastPhongExponent, render::kMostPhongExponent))
+        ->type_name("E");
+    const auto add_color = [&](const std::string& flag,
+                               std::optional<glm::vec3> render::PhongSettings::*color,
+                               const std::string& help) {
+        const auto choose = [set, flag, color](const std::string& text) {
+            const auto srgb = html_color(text);
+            if (!srgb)
+                throw CLI::ValidationError(flag,
+                                           fmt::format("'{}' is no colour such as #ff8000", text));
+            const auto linear = formulae::linear_from_srgb({srgb->x, srgb->y, srgb->z});
+            set([&](render::PhongSettings& phong) {
+                phong.*color = glm::vec3(linear.x, linear.y, linear.z);
+            });
+        };
+        command.add_option_function<std::string>(flag, choose, help)->type_name("#rrggbb");
+    };
+    add_color("--phong-specular", &render::PhongSettings::specular_color_linear,
+              "Their specular colour; from the material if unset");
+    add_color("--phong-ambient", &render::PhongSettings::ambient_linear,
+              "Their ambient light; the mean of the environment if unset");
+    command
+        .add_option_function<float>(
+            "--phong-strength",
+            [set](float strength) {
+                set([strength](render::PhongSettings& phong) {
+                    phong.specular_strength = strength;
+                });
+            },
+            "Times their specular colour")
+        ->check(CLI::Range(0.0f, render::kMostPhongStrength))
+        ->type_name("X")
+        ->default_str("1");
+}
+
+void add_shading_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    add_choice_option(
+        command, "--shading", kPictureKinds,
+        [&view](const PictureKind& kind) {
+            view.compare = kind.compare;
+            view.left.model = kind.left;
+        },
+        "How surfaces are lit; the last three set PBR against --against")
+        ->default_str("pbr");
+    add_choice_option(
+        command, "--against", render::kShadingModels,
+        [&view](const auto& entry) { view.right.model = entry.value; }, "What PBR is compared with")
+        ->default_str("phong");
+    command.add_option("--divider", view.divider, "Where the split is, of the width")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("0-1")
+        ->capture_default_str();
+    add_choice_option(
+        command, "--path", render::kRenderPaths,
+        [&view](const auto& entry) { view.left.path = view.right.path = entry.value; },
+        "How the picture is made: the same shading, at another cost")
+        ->default_str("deferred");
+    add_choice_option(
+        command, "--against-path", render::kRenderPaths,
+        [&options](const auto& entry) { options.against_path = entry.value; },
+        "How the one that is compared is made; as --path if unset")
+        ->type_name("deferred|forward");
+    add_choice_option(
+        command, "--terms", kTermSets,
+        [&view](const TermSet& set) { view.left.terms = view.right.terms = set.terms; },
+        "The terms of PBR; the lecture's lack 1/pi and energy balance")
+        ->default_str("gltf");
+    add_term_options(command, options);
+    add_phong_options(command, options);
+}
+
+/// --channel takes a channel's id or "strip" for ten of them side by side.
+void add_channel_option(CLI::App& command, RenderOptions& options) {
+    std::string ids = "strip";
+    for (const render::ChannelViewInfo& entry : render::kChannelViews)
+        ids += fmt::format("|{}", entry.id);
+    const auto choose = [&options](const std::string& id) {
+        options.strip = id == "strip";
+        if (options.strip) return;
+        const auto channel = render::channel_view_from_id(id);
+        if (!channel)
+            throw CLI::ValidationError("--channel", fmt::format("'{}' is no channel", id));
+        options.request.view.channel = *channel;
+    };
+    command.add_option_function<std::string>("--channel", choose, "One channel, or ten in a strip")
+        ->type_name(ids)
+        ->default_str("final");
+}
+
+void add_light_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    std::string names;
+    for (const render::BuiltinEnvironment& entry : render::kBuiltinEnvironments)
+        names += fmt::format("{}|", entry.id);
+    command
+        .add_option(
+            "--environment", options.environment,
+            "An equirectangular .hdr or .exr file, or a built-in; as the file says if unset")
+        ->type_name(names + "FILE");
+    command
+        .add_option("--environment-rotation", view.environment_rotation_degrees,
+                    "Turn it about +Y, counter-clockwise from above")
+        ->type_name("DEG")
+        ->capture_default_str();
+    command
+        .add_option("--environment-intensity", view.environment_intensity,
+                    "Multiply its light by this")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("X")
+        ->capture_default_str();
+    command.add_flag("!--no-normal-filter", view.filter_normals,
+                     "Leave out of roughness what of normal maps is finer than a pixel; from 64 "
+                     "samples on it is left out anyway");
+    command.add_flag("!--no-reflection-occlusion", view.occlude_reflections,
+                     "Hold mirrored light back by the occlusion map as much as diffuse light, and "
+                     "mirror what lies below the surface");
+    command.add_flag("!--no-shadows", view.shadows,
+                     "Let suns of the environment, directional lights and the light of the "
+                     "traditional models cast none");
+}
+
+void add_background_option(CLI::App& command, RenderOptions& options) {
+    render::Background& background = options.request.view.background;
+    const auto choose = [&background](const std::string& text) {
+        if (const auto color = html_color(text)) {
+            background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
+            return;
+        }
+        const auto* choice = render::choice_from_id(render::kBackgrounds, text);
+        if (choice == nullptr || choice->value == render::Background::Kind::Color)
+            throw CLI::ValidationError("--background", fmt::format("'{}' is no background", text));
+        background.kind = choice->value;
+    };
+    command.add_option_function<std::string>("--background", choose, "What is behind the model")
+        ->type_name("studio|environment|blurred|none|#rrggbb")
+        ->default_str("studio");
+}
+
+void add_camera_options(CLI::App& command, RenderOptions& options) {
+    auto* position = add_vector_option(command, "--camera-position", options.camera_position,
+                                       "Where the camera stands; it frames the scene if unset");
+    add_vector_option(command, "--camera-target", options.camera_target,
+                      "What it looks at; the middle of the scene if unset")
+        ->needs(position);
+    add_vector_option(command, "--camera-up", options.camera_up, "What is up in the picture")
+        ->default_str("0,1,0")
+        ->needs(position);
+    command
+        .add_option("--fov-y", options.request.view.camera.fov_y_degrees,
+                    "Field of view from top to bottom")
+        ->check(CLI::Range(1.0, 160.0))
+        ->type_name("DEG")
+        ->capture_default_str();
+    command
+        .add_option("--orthographic", options.request.view.camera.orthographic_height,
+                    "No perspective: metres from the bottom of the picture to its top")
+        ->check(CLI::PositiveNumber)
+        ->type_name("HEIGHT");
+    command
+        .add_option("--turntable", options.turntable,
+                    "So many pictures all around the target: OUT-000.png, OUT-001.png ...")
+        ->check(CLI::Range(1, 999))
+        ->type_name("N");
+    add_choice_option(
+        command, "--view", kDirections,
+        [&options](const NamedDirection& entry) {
+            options.request.automatic_camera = entry.direction;
+        },
+        "From where the scene is framed")
+        ->default_str("three-quarter")
+        ->excludes(position);
+}
+
+}  // namespace
+
+void add_view_options(CLI::App& command, RenderOptions& options) {
+    add_picture_options(command, options);
+    add_shading_options(command, options);
+    add_channel_option(command, options);
+    add_light_options(command, options);
+    add_background_option(command, options);
+    add_camera_options(command, options);
+}
+
+}  // namespace patina::cli
