@@ -200,7 +200,7 @@ void Workspace::perform_layer(Action action) {
         case Action::ClearMask:
             return edit(clear_mask(*material, *layer));
         case Action::Copy:
-            ImGui::SetClipboardText(copied_layers({layer}).c_str());
+            ImGui::SetClipboardText(copied_layers({layer}, material->stack).c_str());
             return session_->toast(ToastKind::Done, "Copied " + layer->name);
         default:
             return;

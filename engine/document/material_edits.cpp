@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "document/material_edits.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
+#include "core/log.h"
 #include "document/change.h"
 #include "document/check.h"
 #include "document/layer_json.h"
 #include "document/preset.h"
 #include "document/record.h"
+#include "document/references.h"
 #include "document/scene_edits.h"
 
 namespace patina {
@@ -63,7 +67,25 @@ Edit with_images(std::vector<ImageAssetPtr> images, Edit edit) {
     return in_one_step(std::move(label), std::move(edits));
 }
 
-Result<LayerList> layers_from_clipboard(std::string_view text) {
+struct Clipboard {
+    LayerList layers;
+    LayerNames names;  ///< of other layers that they read
+};
+
+LayerNames names_from_json(JsonObject& object) {
+    LayerNames names;
+    const Json* json = object.find("reads");
+    if (!json || !json->is_array()) return names;
+    for (std::size_t i = 0; i < json->size(); ++i) {
+        JsonObject each((*json)[i], fmt::format("/reads/{}", i), object.faults());
+        each.require("layer");
+        const auto id = each.integer("layer", 1, std::int64_t{1} << 53, 1);
+        names.emplace(LayerId{static_cast<std::uint64_t>(id)}, each.required_text("name"));
+    }
+    return names;
+}
+
+Result<Clipboard> layers_from_clipboard(std::string_view text) {
     const Result<Json> json = json_from_text(text);
     if (!json || !json->is_object() || !json->contains(std::string(kClipboardKey)))
         return failure("the clipboard holds no layers");
@@ -73,12 +95,13 @@ Result<LayerList> layers_from_clipboard(std::string_view text) {
     LayerList layers;
     if (const Json* list = object.require("layers"))
         layers = layers_from_json(*list, "/layers", faults);
+    LayerNames names = names_from_json(object);
     object.finish();
     if (faults.any())
         return failure("the layers in the clipboard cannot be read: {}",
                        faults.status().error().message);
     if (layers.empty()) return failure("the clipboard holds no layers");
-    return layers;
+    return Clipboard{std::move(layers), std::move(names)};
 }
 
 }  // namespace
@@ -160,23 +183,32 @@ Edit replace_stack_by_preset(const Material& material, const Preset& preset,
                                                         "Replace layers of " + material.name));
 }
 
-std::string copied_layers(const std::vector<LayerPtr>& layers) {
+std::string copied_layers(const std::vector<LayerPtr>& layers, const std::vector<LayerPtr>& stack) {
     Json json = {{kClipboardKey, kRecordVersion},
                  {"layers", layers_to_json(layers, JsonIds::LeftOut)}};
+    for (const auto& [id, name] : names_read(layers, stack))
+        json["reads"].push_back({{"layer", id.value}, {"name", name}});
     return indented_text(json);
 }
 
 Edit paste_layers(const Material& material, std::string_view text, LayerPlace place) {
-    Result<LayerList> layers = layers_from_clipboard(text);
-    if (!layers)
+    Result<Clipboard> clipboard = layers_from_clipboard(text);
+    if (!clipboard)
         return {.label = "Paste layers",
                 .merge_key = {},
-                .apply = [error = layers.error()](const Document&) -> Result<Document> {
+                .apply = [error = clipboard.error()](const Document&) -> Result<Document> {
                     return tl::unexpected<Error>(error);
                 }};
-    std::string label = layers->size() == 1 ? "Paste " + layers->front()->name
-                                            : fmt::format("Paste {} layers", layers->size());
-    return add_layers(material, std::move(*layers), place, std::move(label));
+    BroughtLayers brought = brought_to(material.stack, clipboard->layers, clipboard->names);
+    std::string label = brought.layers.size() == 1
+                            ? "Paste " + brought.layers.front()->name
+                            : fmt::format("Paste {} layers", brought.layers.size());
+    if (brought.dropped > 0)
+        log_warning(
+            "{}: {} of what it reads of other layers is left out: this material has none of "
+            "these names",
+            quoted_for_message(label, 100), brought.dropped);
+    return add_layers(material, std::move(brought.layers), place, std::move(label));
 }
 
 }  // namespace patina

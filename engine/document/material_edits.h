@@ -45,9 +45,12 @@ Edit replace_stack_by_preset(const Material& material, const Preset& preset,
                              std::vector<ImageAssetPtr> images = {});
 
 /// The layers as text for the clipboard: JSON in the form of the record (document/record.h).
-std::string copied_layers(const std::vector<LayerPtr>& layers);
+/// @param stack  what they are of: whose names the layers that they read go by elsewhere
+std::string copied_layers(const std::vector<LayerPtr>& layers,
+                          const std::vector<LayerPtr>& stack = {});
 /// Adds the layers that `copied_layers` made text of, with fresh ids. Refuses other text, and
-/// images that this document has not.
+/// images that this document has not. What they read of other layers is read of those of the same
+/// names, or left out, which a line in the log says.
 Edit paste_layers(const Material& material, std::string_view text, LayerPlace place);
 
 }  // namespace patina

@@ -2,6 +2,8 @@
 #include "document/references.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace patina {
 namespace {
@@ -117,6 +119,79 @@ class Dependencies {
     std::map<LayerId, std::size_t> index_;
 };
 
+void collect_ids(const LayerList& layers, std::set<LayerId>& ids) {
+    for (const LayerPtr& layer : layers) {
+        ids.insert(layer->id);
+        if (const auto* group = std::get_if<GroupContent>(&layer->content))
+            collect_ids(group->children, ids);
+    }
+}
+
+/// The layers of that name, the highest first.
+void collect_named(const LayerList& layers, const std::string& name, LayerList& found) {
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+        if ((*layer)->name == name) found.push_back(*layer);
+        if (const auto* group = std::get_if<GroupContent>(&(*layer)->content))
+            collect_named(group->children, name, found);
+    }
+}
+
+/// Takes references to other layers than those that were brought to those of another stack.
+class Bringing {
+  public:
+    Bringing(const LayerList& stack, const LayerList& layers, const LayerNames& names)
+        : stack_(stack), names_(names) {
+        collect_ids(layers, own_);
+    }
+
+    LayerList brought(const LayerList& layers) {
+        LayerList result;
+        for (const LayerPtr& layer : layers) result.push_back(brought(layer));
+        return result;
+    }
+    int dropped() const { return dropped_; }
+
+  private:
+    LayerPtr brought(const LayerPtr& layer) {
+        Layer copy = *layer;
+        for (const ChannelInfo& row : kChannels) {
+            ChannelSettings& settings = at(copy.channels, row.channel);
+            if (!is_lost(settings.source)) continue;
+            dropped_ += settings.enabled ? 1 : 0;
+            settings.enabled = false;
+            settings.source = ConstantSource{stack_bottom(row.channel)};
+        }
+        dropped_ += static_cast<int>(std::erase_if(
+            copy.mask.entries, [&](MaskEntry& entry) { return is_lost(entry.source); }));
+        if (auto* group = std::get_if<GroupContent>(&copy.content))
+            group->children = brought(group->children);
+        return copy == *layer ? layer : std::make_shared<const Layer>(std::move(copy));
+    }
+
+    /// Whether what it reads is not there; else it reads it.
+    bool is_lost(Source& source) const {
+        auto* const reference = std::get_if<ReferenceSource>(&source);
+        if (reference == nullptr || own_.contains(reference->layer)) return false;
+        const auto name = names_.find(reference->layer);
+        if (name == names_.end()) return true;
+        LayerList found;
+        collect_named(stack_, name->second, found);
+        // Ids of their own mean those that are brought.
+        std::erase_if(found, [&](const LayerPtr& layer) { return own_.contains(layer->id); });
+        if (found.empty()) return true;
+        const bool same = std::any_of(found.begin(), found.end(), [&](const LayerPtr& layer) {
+            return layer->id == reference->layer;
+        });
+        if (!same) reference->layer = found.front()->id;
+        return false;
+    }
+
+    const LayerList& stack_;
+    const LayerNames& names_;
+    std::set<LayerId> own_;
+    int dropped_ = 0;
+};
+
 LayerPtr moved_in(const LayerPtr& layer, const LayerIdMap& moved) {
     Layer copy = *layer;
     for_each_own_source(copy, [&](Source& source) {
@@ -157,6 +232,26 @@ std::vector<LayerPtr> referable_layers(const LayerList& stack, LayerId reader) {
     for (std::size_t i = out.size(); i-- > 0;)
         if (!out[i]) layers.push_back(dependencies.nodes()[i].layer);
     return layers;
+}
+
+LayerNames names_read(const LayerList& layers, const LayerList& stack) {
+    std::set<LayerId> own;
+    collect_ids(layers, own);
+    LayerNames names;
+    for_each_source(layers, [&](const Source& source) {
+        const auto* const reference = std::get_if<ReferenceSource>(&source);
+        if (reference == nullptr || own.contains(reference->layer)) return;
+        const auto path = path_of(stack, reference->layer);
+        if (path) names.emplace(reference->layer, layer_at(stack, *path)->name);
+    });
+    return names;
+}
+
+BroughtLayers brought_to(const LayerList& stack, const LayerList& layers, const LayerNames& names) {
+    Bringing bringing(stack, layers, names);
+    BroughtLayers result{.layers = bringing.brought(layers)};
+    result.dropped = bringing.dropped();
+    return result;
 }
 
 LayerList with_references_moved(const LayerList& layers, const LayerIdMap& moved) {

@@ -6,6 +6,7 @@
 /// may depend on itself.
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "document/stack_tree.h"
@@ -29,5 +30,19 @@ using LayerIdMap = std::map<LayerId, LayerId>;
 /// The layers with references to the keys made references to the values. Layers that have none keep
 /// their nodes.
 LayerList with_references_moved(const LayerList& layers, const LayerIdMap& moved);
+
+/// Names of layers, by their ids.
+using LayerNames = std::map<LayerId, std::string>;
+/// Those of the layers that `layers` read and that are not among them, as `stack` calls them.
+LayerNames names_read(const LayerList& layers, const LayerList& stack);
+
+/// Layers for another stack: what they read that is not among them is there the layer of that name
+/// (with the same id, where there is one), for an id alone would mean some other layer.
+struct BroughtLayers {
+    LayerList layers;
+    int dropped = 0;  ///< references to layers that are not there: their channel is off, or their
+                      ///< mask entry gone
+};
+BroughtLayers brought_to(const LayerList& stack, const LayerList& layers, const LayerNames& names);
 
 }  // namespace patina

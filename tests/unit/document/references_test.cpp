@@ -173,6 +173,32 @@ TEST(References, StayAmongCopiesOfTheLayersAndLeadOutOfThemAsBefore) {
     EXPECT_EQ(of(children[2]), LayerId{9});
 }
 
+TEST(References, OfPastedLayersMeanTheLayersOfTheSameNamesOrNothing) {
+    Layer c = fill(3, "C");
+    read(c, 9);
+    c.mask.entries.push_back({.id = {20}, .name = "Of nine", .source = ReferenceSource{{9}}});
+    const Document from = with({shared(fill(9, "Out")), shared(c)});
+    const std::vector<LayerPtr>& stack = material_of(from).stack;
+    const std::string text = copied_layers({stack[1]}, stack);
+    const auto pasted_into = [&](const Document& document) {
+        const Material& material = material_of(document);
+        return material_of(paste_layers(material, text, top_of_stack()).apply(document).value())
+            .stack.back();
+    };
+    const auto roughness = [](const LayerPtr& layer) {
+        return at(layer->channels, Channel::Roughness);
+    };
+    // Where it was, and where the number means another layer.
+    EXPECT_EQ(std::get<ReferenceSource>(roughness(pasted_into(from)).source).layer, LayerId{9});
+    const LayerPtr there = pasted_into(with({shared(fill(9, "Other")), shared(fill(4, "Out"))}));
+    EXPECT_EQ(std::get<ReferenceSource>(roughness(there).source).layer, LayerId{4});
+    EXPECT_EQ(std::get<ReferenceSource>(there->mask.entries.at(0).source).layer, LayerId{4});
+    const LayerPtr nowhere = pasted_into(with({shared(fill(9, "Other"))}));
+    EXPECT_FALSE(roughness(nowhere).enabled);
+    EXPECT_TRUE(std::holds_alternative<ConstantSource>(roughness(nowhere).source));
+    EXPECT_TRUE(nowhere->mask.entries.empty());
+}
+
 TEST(References, SurviveTheRecordAndAPreset) {
     const Document document = sample();
     const Material& material = material_of(document);
