@@ -83,11 +83,11 @@ Result<std::vector<ChannelDistance>> compare_maps(const io::LoadedDocument& befo
         });
         if (other == others.end()) continue;
         progress.set_stage(fmt::format("Baking {}", quoted_for_message(material->name, 60)));
-        const auto old_planes =
-            bake_channels(Program::compile(**other), *before.images, size, all_channels());
+        const auto old_planes = bake_channels(Program::compile(*before.document, **other),
+                                              *before.images, size, all_channels());
         if (!old_planes) return passed_on(old_planes);
-        const auto new_planes =
-            bake_channels(Program::compile(*material), *after.images, size, all_channels());
+        const auto new_planes = bake_channels(Program::compile(*after.document, *material),
+                                              *after.images, size, all_channels());
         if (!new_planes) return passed_on(new_planes);
         for (const Channel channel : all_channels()) {
             const auto found = distance(material->name, channel, *old_planes, *new_planes);

@@ -10,6 +10,7 @@
 #include "cli/input.h"
 #include "composite/composite.h"
 #include "document/choices.h"
+#include "document/worn_surface.h"
 
 namespace patina::cli {
 namespace {
@@ -111,13 +112,14 @@ Status run_explain(const ExplainOptions& options) {
     const int size = options.size.value_or((*material)->resolution);
     const int x = texel_of(options.uv.x, size);
     const int y = texel_of(options.uv.y, size);
+    const UvSurfacePtr surface = surface_read(*loaded->document, **material);
     std::vector<Explained> all;
     for (const ChannelInfo& entry : kChannels) {
         const bool wanted =
             options.channels.empty() || std::find(options.channels.begin(), options.channels.end(),
                                                   entry.channel) != options.channels.end();
         if (!wanted) continue;
-        auto steps = explain_texel(**material, *loaded->images, entry.channel, size, x, y);
+        auto steps = explain_texel(**material, surface, *loaded->images, entry.channel, size, x, y);
         if (!steps) return passed_on(steps);
         all.push_back({entry.channel, std::move(*steps)});
     }

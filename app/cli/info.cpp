@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/uv_report.h"
 #include "document/choices.h"
+#include "document/worn_surface.h"
 
 namespace patina::cli {
 namespace {
@@ -79,12 +81,24 @@ Json to_json(const Layer& layer) {
     return json;
 }
 
+/// The first name of each part that wears a material: what a mask picks it by.
+std::vector<std::string> part_names(const UvSurface& surface) {
+    std::vector<std::string> names;
+    for (const SurfacePart& part : surface.parts())
+        names.push_back(quoted_for_message(part.names.empty() ? "" : part.names.front(), 60));
+    return names;
+}
+
 Json to_json(const Document& document, const Material& material) {
+    const UvSurfacePtr surface = worn_surface(document, material);
     Json json = {{"name", material.name},
                  {"resolution", material.resolution},
                  {"alpha_mode", choice(material.alpha_mode).id},
                  {"double_sided", material.double_sided},
-                 {"uvs", uv_layout_json(uv_layout_of(document, material))},
+                 {"padding", choice(material.padding).id},
+                 {"uvs", uv_layout_json(uv_layout(*surface))},
+                 {"parts", part_names(*surface)},
+                 {"missing", missing_of_surface(material, *surface)},
                  {"stack", Json::array()}};
     for (const LayerPtr& layer : material.stack) json["stack"].push_back(to_json(*layer));
     return json;
@@ -115,6 +129,23 @@ Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
     return json;
 }
 
+/// Whether a source of the layer is projected on the model, or picks parts of it.
+std::vector<std::string_view> read_of_model(const Layer& layer) {
+    std::set<std::string_view> found;
+    const auto look = [&](const Source& source) {
+        if (const auto* image = std::get_if<ImageSource>(&source))
+            found.insert(choice(image->projection.kind).id);
+        if (const auto* noise = std::get_if<ProceduralSource>(&source))
+            found.insert(choice(noise->projection.kind).id);
+        if (std::holds_alternative<GeometrySource>(source)) found.insert("parts");
+    };
+    for (const ChannelSettings& settings : layer.channels)
+        if (settings.enabled) look(settings.source);
+    for (const MaskEntry& entry : layer.mask.entries) look(entry.source);
+    found.erase(choice(ProjectionKind::Uv).id);
+    return {found.begin(), found.end()};
+}
+
 std::string described(const Layer& layer) {
     std::string text = fmt::format("{}  [{}", quoted_for_message(layer.name), kind_of(layer));
     if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
@@ -124,6 +155,7 @@ std::string described(const Layer& layer) {
     if (layer.height_blend.enabled) text += ", by height";
     if (layer.opacity != 1.0f) text += fmt::format(", {:.0f} %", 100.0f * layer.opacity);
     if (!layer.mask.entries.empty()) text += fmt::format(", mask of {}", layer.mask.entries.size());
+    for (const std::string_view what : read_of_model(layer)) text += fmt::format(", {}", what);
     if (!layer.visible) text += ", hidden";
     if (layer.locked) text += ", locked";
     return text + fmt::format("]  {}", fmt::join(channels_of(layer), ", "));
@@ -151,7 +183,11 @@ void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
     for (const MaterialPtr& material : document.materials) {
         fmt::print("\nmaterial {}: {} texels a side, {}\n", quoted_for_message(material->name),
                    material->resolution, choice(material->alpha_mode).id);
-        fmt::print("UVs: {}\n", uv_layout_words(uv_layout_of(document, *material)));
+        const UvSurfacePtr surface = worn_surface(document, *material);
+        fmt::print("UVs: {}\n", uv_layout_words(uv_layout(*surface)));
+        fmt::print("parts: {}\n", fmt::join(part_names(*surface), "; "));
+        for (const std::string& line : missing_of_surface(*material, *surface))
+            fmt::print("note: {}\n", line);
         print_stack(material->stack, "");
     }
 }

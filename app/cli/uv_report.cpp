@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "document/worn_surface.h"
+
 namespace patina::cli {
 namespace {
 
@@ -17,22 +19,24 @@ std::string percent(double share) {
 }  // namespace
 
 UvLayout uv_layout_of(const Document& document, const Material& material) {
-    return uv_layout(*document.scene, material.source_material.value_or(-1), material.uv_set);
+    return uv_layout(*worn_surface(document, material));
 }
 
 nlohmann::ordered_json uv_layout_json(const UvLayout& layout) {
-    return {{"used", layout.used},
-            {"overlapped", layout.overlapped},
-            {"low", {layout.low.x, layout.low.y}},
-            {"high", {layout.high.x, layout.high.y}},
-            {"triangles", layout.triangles},
-            {"triangles_without_uvs", layout.without_uvs}};
+    const auto known = [&](double share) {
+        return layout.measured ? nlohmann::ordered_json(share) : nlohmann::ordered_json();
+    };
+    return {{"used", known(layout.used)},          {"overlapped", known(layout.overlapped)},
+            {"low", {layout.low.x, layout.low.y}}, {"high", {layout.high.x, layout.high.y}},
+            {"triangles", layout.triangles},       {"triangles_without_uvs", layout.without_uvs}};
 }
 
 std::string uv_layout_words(const UvLayout& layout) {
     if (layout.triangles == 0) return "no triangle is made of it";
     if (layout.without_uvs == layout.triangles) return "its triangles have no UVs";
-    std::string text = fmt::format("{} of the texture is used", percent(layout.used));
+    std::string text =
+        layout.measured ? fmt::format("{} of the texture is used", percent(layout.used))
+                        : fmt::format("too many large triangles to measure ({})", layout.triangles);
     if (layout.overlapped > 0.0)
         text += fmt::format(", {} of that by several triangles", percent(layout.overlapped));
     if (!layout.within_a_tile())

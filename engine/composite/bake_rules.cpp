@@ -33,7 +33,7 @@ bool is_factor(float value) {
     return value >= 0.0f && value <= 1.0f;
 }
 bool is_plain(const ImageSource& image) {
-    return !image.invert && !image.alpha_is_coverage;
+    return !image.invert && !image.alpha_is_coverage && image.projection.kind == ProjectionKind::Uv;
 }
 
 bool same_texture(const ImageSource& a, const ImageSource& b) {

@@ -74,7 +74,8 @@ double footprint(const SourceRecord& record, const Image& image, int size) {
                           static_cast<double>(v) * image.height) /
                size;
     };
-    return std::max(span(record.to_u.x, record.to_v.x), span(record.to_u.y, record.to_v.y));
+    return record.length_per_uv *
+           std::max(span(record.to_u.x, record.to_v.x), span(record.to_u.y, record.to_v.y));
 }
 
 /// Halvings that leave a span between 0.75 and 1.5 texels.
@@ -90,8 +91,9 @@ BoundImage bound_image(const SourceRecord& record, const Hash128& hash, const Im
     BoundImage bound;
     bound.image = reduced.reduced(hash, image, source.color_space,
                                   halvings_for(footprint(record, *image, size)));
-    bound.texel_for_texel = source.transform == UvTransform{} && bound.image->width == size &&
-                            bound.image->height == size;
+    bound.texel_for_texel = source.transform == UvTransform{} &&
+                            record.projection.kind == ProjectionKind::Uv &&
+                            bound.image->width == size && bound.image->height == size;
     return bound;
 }
 
@@ -101,6 +103,7 @@ BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size
                         ImageProvider& images, MissingImages missing, ReducedImages& reduced) {
     wanted = program.with_needed(wanted);
     BoundImages bound;
+    if (program.surface != nullptr) bound.surface_map = program.surface->map(size);
     const auto fetched = fetched_images(program, wanted, images, missing);
     for (const auto& image : fetched)
         if (!image) bound.failures.push_back(image.error().message);

@@ -9,6 +9,7 @@
 #include "composite/image_provider.h"
 #include "composite/operations.h"
 #include "composite/reduced_images.h"
+#include "scene/uv_map.h"
 
 namespace patina {
 
@@ -23,6 +24,7 @@ struct BoundImages {
     std::vector<BoundImage> sources;    ///< one for each of ProgramData::sources
     std::vector<std::string> failures;  ///< of images that cannot be decoded
     bool waiting = false;               ///< some image is still being decoded
+    UvMapPtr surface_map;               ///< of ProgramData::surface; null where there is none
 };
 
 enum class MissingImages { Wait, ShowPlaceholder };

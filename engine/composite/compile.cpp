@@ -7,6 +7,7 @@
 
 #include "composite/bake_rules.h"
 #include "composite/source_record.h"
+#include "composite/surface_sources.h"
 #include "composite/uniform_values.h"
 
 namespace patina {
@@ -28,8 +29,8 @@ struct StackState {
 
 class Emitter {
   public:
-    Emitter(ProgramData& program, ReferredLayers& referred)
-        : program_(program), referred_(referred) {}
+    Emitter(ProgramData& program, ReferredLayers& referred, UvSurfacePtr surface)
+        : program_(program), referred_(referred), surface_(std::move(surface)) {}
 
     /// `backdrop`: the state of the stack around, for a group that passes it through.
     StackState emit_stack(const StackTerms& terms, int depth, const StackState* backdrop = nullptr);
@@ -48,6 +49,7 @@ class Emitter {
                     const StackState& state, const StackState& children);
     /// `like`: the operation that is going to read the source.
     std::int32_t add_source(const Source& source, Reading reading, const Operation& like);
+    void read_surface(SourceRecord& record);
     std::int32_t here() const { return static_cast<std::int32_t>(program_.operations.size()); }
 
     /// Where the heights are that lie below a layer: what is accumulated at a depth before an
@@ -60,6 +62,7 @@ class Emitter {
 
     ProgramData& program_;
     ReferredLayers& referred_;
+    UvSurfacePtr surface_;
     HeightsBelow below_;         ///< the layer that is being emitted
     bool alone_ = false;         ///< the next layer is emitted by itself: `below_` stays as it is
     ChannelBits referring_ = 0;  ///< within a reference: the channels that it is wanted for
@@ -337,8 +340,25 @@ std::int32_t Emitter::emit_reference(const ReferenceSource& source, Reading read
     return index;
 }
 
+/// Notes what the source reads of the model.
+void Emitter::read_surface(SourceRecord& record) {
+    const auto* const geometry = std::get_if<GeometrySource>(&record.source);
+    const std::optional<Projection> projection = projection_of(record.source);
+    if (geometry == nullptr && !projection) return;
+    program_.surface = surface_;
+    if (projection) {
+        record.projection = *projection;
+        record.length_per_uv = surface_->length_per_uv();
+    }
+    if (geometry != nullptr) {
+        record.choice = static_cast<std::int32_t>(program_.chosen_parts.size());
+        program_.chosen_parts.push_back(chosen_parts(*geometry, *surface_));
+    }
+}
+
 std::int32_t Emitter::add_source(const Source& source, Reading reading, const Operation& like) {
-    SourceRecord record = source_record(source, reading);
+    SourceRecord record = source_record(resolved_source(source, surface_.get()), reading);
+    if (surface_ != nullptr) read_surface(record);
     if (const auto* const reference = std::get_if<ReferenceSource>(&source))
         record.reference = emit_reference(*reference, reading, like);
     if (const auto* const image = std::get_if<ImageSource>(&source)) {
@@ -409,13 +429,15 @@ Hash128 slot_hash(const ProgramData& program, const StackTerms& terms, Slot slot
 
 }  // namespace
 
-ProgramData compile_material(const Material& material, CoveredLayers covered) {
-    ReferredLayers referred(material.stack);
+ProgramData compile_material(const Material& material, const UvSurfacePtr& worn,
+                             CoveredLayers covered) {
+    const UvSurfacePtr surface = worn != nullptr && worn->has_uvs() ? worn : nullptr;
+    ReferredLayers referred(material.stack, surface.get());
     const StackTerms terms = stack_terms(material.stack, covered, referred);
     ProgramData program;
     set_bottom(terms, program);
     program.height_scale = material.height_scale;
-    const StackState top = Emitter(program, referred).emit_stack(terms, 0);
+    const StackState top = Emitter(program, referred, surface).emit_stack(terms, 0);
     program.top_encoded = top.touched & top.encoded & kColorChannels;
     program.touched = top.touched;
     program.led_by_height = led_by_height(terms);

@@ -8,8 +8,10 @@
 
 namespace patina {
 
+/// @param surface  what sources read of the model; null where no mesh is at hand
 /// @param covered  whether layers that another one hides are kept, as `explain` wants to see them;
 ///                 the result is the same
-ProgramData compile_material(const Material& material, CoveredLayers covered);
+ProgramData compile_material(const Material& material, const UvSurfacePtr& surface,
+                             CoveredLayers covered);
 
 }  // namespace patina

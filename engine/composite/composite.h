@@ -91,7 +91,9 @@ struct ExplainStep {
     glm::vec3 result = glm::vec3(0.0f);  ///< after the layer
 };
 /// The history of one texel, bottom to top, by the same program and kernels that bake it.
-Result<std::vector<ExplainStep>> explain_texel(const Material& material, ImageProvider& images,
+/// @param surface  as in Program::compile
+Result<std::vector<ExplainStep>> explain_texel(const Material& material,
+                                               const UvSurfacePtr& surface, ImageProvider& images,
                                                Channel channel, int size, int x, int y);
 
 }  // namespace patina

@@ -31,11 +31,12 @@ ExplainStep step_of(const ProgramData& program, const Operation& operation,
 
 }  // namespace
 
-Result<std::vector<ExplainStep>> explain_texel(const Material& material, ImageProvider& images,
+Result<std::vector<ExplainStep>> explain_texel(const Material& material,
+                                               const UvSurfacePtr& surface, ImageProvider& images,
                                                Channel channel, int size, int x, int y) {
     if (size < 1 || x < 0 || y < 0 || x >= size || y >= size)
         return failure("texel ({}, {}) is not in a map of {} texels a side", x, y, size);
-    const ProgramData program = compile_material(material, CoveredLayers::Keep);
+    const ProgramData program = compile_material(material, surface, CoveredLayers::Keep);
     ReducedImages reduced;
     const BoundImages bound =
         bind_images(program, channel_bit(channel), size, images, MissingImages::Wait, reduced);

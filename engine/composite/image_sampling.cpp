@@ -98,10 +98,11 @@ void sample_tile(const SamplingTask& task, const TileSpan& span) {
     const float v = (static_cast<float>(span.y) + 0.5f) / side;
     for (int i = 0; i < span.count; ++i) {
         const float u = (static_cast<float>(span.x + i) + 0.5f) / side;
-        const Taps across = taps_at(to_u.x * u + to_u.y * v + to_u.z, task.image->width,
-                                    source.wrap_u, source.filter);
-        const Taps down = taps_at(to_v.x * u + to_v.y * v + to_v.z, task.image->height,
-                                  source.wrap_v, source.filter);
+        const bool given = task.at.u != nullptr;
+        const float right = given ? task.at.u[i] : to_u.x * u + to_u.y * v + to_u.z;
+        const float below = given ? task.at.v[i] : to_v.x * u + to_v.y * v + to_v.z;
+        const Taps across = taps_at(right, task.image->width, source.wrap_u, source.filter);
+        const Taps down = taps_at(below, task.image->height, source.wrap_v, source.filter);
         for (int k = 0; k < task.components.count; ++k)
             task.planes[k][i] = filtered(task, across, down, task.components.index[k]);
     }

@@ -16,6 +16,7 @@
 
 #include "composite/planes.h"
 #include "composite/program.h"
+#include "scene/uv_surface.h"
 
 namespace patina {
 
@@ -117,6 +118,9 @@ struct SourceRecord {
     std::int32_t around = -1;     ///< index into ProgramData::around, for a ReliefSource
     std::int32_t reference = -1;  ///< index into ProgramData::references, for a ReferenceSource
     std::int32_t levels = -1;     ///< index into ProgramData::levels, for a mask entry
+    std::int32_t choice = -1;     ///< index into ProgramData::chosen_parts, for a GeometrySource
+    Projection projection = {};   ///< of the coordinates that the matrix takes
+    float length_per_uv = 1.0f;   ///< of what is projected: see UvSurface
     std::array<UniformPlane, 3> constant = {};  ///< of a ConstantSource, as `reading` says
     /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.
     glm::vec3 to_u = glm::vec3(1.0f, 0.0f, 0.0f);
@@ -180,6 +184,8 @@ struct ProgramData {
     std::vector<ReferenceRecord> references;
     std::vector<AroundRecord> around;  ///< in the order in which they are reached
     std::vector<Hash128> images;
+    std::vector<std::vector<std::uint8_t>> chosen_parts;  ///< of each part of the surface: 1 or 0
+    UvSurfacePtr surface;                                 ///< where some source reads it; else null
     std::vector<LayerRecord> layers;
     std::vector<Checkpoint> checkpoints;  ///< in the order in which they are reached
     int depths = 1;                       ///< 1 + how deep groups are nested

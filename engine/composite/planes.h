@@ -24,6 +24,13 @@ struct UniformPlane {
     ReadPlane plane() const { return {.data = lanes, .step = 0}; }
 };
 
+/// What a source gives: three planes of a colour or normal, one of a scalar, and its own coverage.
+/// They point into the planes of the tile, or at constants that live as long as the program.
+struct FetchedSource {
+    ReadPlane components[3] = {};
+    ReadPlane coverage = {};
+};
+
 /// 1 in every texel.
 inline ReadPlane uniform_one() {
     static const UniformPlane one(1.0f);

@@ -65,7 +65,8 @@ float texel_width(const SourceRecord& record, const Cells& cells, float size) {
 
 }  // namespace
 
-void procedural_tile(const SourceRecord& record, const TileSpan& span, float* const planes[3]) {
+void procedural_tile(const SourceRecord& record, const TileSpan& span, const TileCoordinates& at,
+                     float* const planes[3]) {
     const auto& source = std::get<ProceduralSource>(record.source);
     const float size = static_cast<float>(span.size);
     const float v = (static_cast<float>(span.y) + 0.5f) / size;
@@ -77,6 +78,8 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, float* co
                         .v_of_row = record.to_v.y * v + record.to_v.z,
                         .u_per_u = record.to_u.x,
                         .v_per_u = record.to_v.x,
+                        .u = at.u,
+                        .v = at.v,
                         .kind = source.kind,
                         .seed = source.seed,
                         .columns = cells.columns,
@@ -86,7 +89,8 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, float* co
                         .softness = source.softness,
                         .variation = source.variation,
                         .warp = source.warp,
-                        .footprint = texel_width(record, cells, size),
+                        .footprint = texel_width(record, cells, size) *
+                                     (at.u != nullptr ? record.length_per_uv : 1.0f),
                         .contrast = source.contrast,
                         .balance = source.balance,
                         .scalar = !is_vector(record.reading),

@@ -31,9 +31,12 @@ formulae::Ramp ramp_of(const ProceduralTask& task) {
     return ramp;
 }
 
-/// Where texels from `x` on lie, in cells.
-HWY_INLINE Real2 position_at(const ProceduralTask& task, int x) {
-    const formulae::Int column(hn::Iota(formulae::IntLanes(), x));
+/// Where texels from number `i` on lie, in cells.
+HWY_INLINE Real2 position_at(const ProceduralTask& task, int i) {
+    if (task.u != nullptr)
+        return Real2(load(task.u + i) * static_cast<float>(task.columns),
+                     load(task.v + i) * static_cast<float>(task.rows));
+    const formulae::Int column(hn::Iota(formulae::IntLanes(), task.x + i));
     const Real u = (Real(column) + 0.5f) / task.size;
     return Real2((u * task.u_per_u + task.u_of_row) * static_cast<float>(task.columns),
                  (u * task.v_per_u + task.v_of_row) * static_cast<float>(task.rows));
@@ -47,7 +50,7 @@ HWY_NOINLINE HWY_FLATTEN void pattern_run(const ProceduralTask& task, float* pla
                                        task.octaves, task.width,    task.softness, task.variation,
                                        task.warp,    task.footprint};
     for (int i = 0; i < task.count; i += static_cast<int>(lane_count()))
-        store(formulae::pattern_value(pattern, position_at(task, task.x + i)), plane + i);
+        store(formulae::pattern_value(pattern, position_at(task, i)), plane + i);
 }
 
 void pattern_by_kind(const ProceduralTask& task, float* plane) {

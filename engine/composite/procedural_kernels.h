@@ -19,6 +19,9 @@ struct ProceduralTask {
     float v_of_row = 0.0f;
     float u_per_u = 1.0f;
     float v_per_u = 0.0f;
+    /// Coordinates of each texel, where they are not those; else null.
+    const float* u = nullptr;
+    const float* v = nullptr;
 
     ProceduralKind kind = ProceduralKind::PerlinNoise;
     std::uint32_t seed = 0;

@@ -2,14 +2,19 @@
 #include "composite/program.h"
 
 #include "composite/compile.h"
+#include "document/worn_surface.h"
 
 namespace patina {
 
-Program Program::compile(const Material& material) {
+Program Program::compile(const Material& material, const UvSurfacePtr& surface) {
     Program program;
-    program.data_ =
-        std::make_shared<const ProgramData>(compile_material(material, CoveredLayers::Drop));
+    program.data_ = std::make_shared<const ProgramData>(
+        compile_material(material, surface, CoveredLayers::Drop));
     return program;
+}
+
+Program Program::compile(const Document& document, const Material& material) {
+    return compile(material, surface_read(document, material));
 }
 
 Hash128 Program::slot_hash(Slot slot) const {

@@ -10,6 +10,7 @@
 
 #include "composite/maps.h"
 #include "document/document.h"
+#include "scene/uv_surface.h"
 
 namespace patina {
 
@@ -21,7 +22,10 @@ class Program {
   public:
     /// Compiles the visible layers of a material. Layers, channels and entries that cannot change
     /// the result (hidden, opacity 0, mask 0) leave no trace, so equal pictures have equal hashes.
-    static Program compile(const Material& material);
+    /// @param surface  what it lies on, for layers that read the model; null: no mesh is at hand
+    static Program compile(const Material& material, const UvSurfacePtr& surface = nullptr);
+    /// As it lies on the parts of the document that wear it.
+    static Program compile(const Document& document, const Material& material);
 
     /// Hash of all that decides the texels of one slot (not of the resolution): equal hashes, equal
     /// texels. An edit elsewhere leaves a slot's hash alone.

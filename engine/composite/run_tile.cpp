@@ -54,8 +54,15 @@ class Runner {
         float* const target[3] = {first_plane, planes_.source(1), planes_.source(2)};
         if (program_.sources[index].reference >= 0)
             return fetch_reference(program_.sources[index], depth + 1, target);
-        return fetch_source(program_.sources[index], run_.images->sources[index], span_, target,
-                            planes_);
+        const SourceRecord& record = program_.sources[index];
+        return fetch_source(
+            {.record = &record,
+             .image = &run_.images->sources[index],
+             .texels = {program_.surface.get(), run_.images->surface_map.get()},
+             .chosen_parts = record.choice < 0
+                                 ? nullptr
+                                 : &program_.chosen_parts[static_cast<std::size_t>(record.choice)]},
+            span_, target, planes_);
     }
     FetchedSource fetch_relief(std::size_t source, float* to) {
         const SourceRecord& record = program_.sources[source];

@@ -40,14 +40,15 @@ Adjustment adjustment_of(const SourceRecord& record, const Image& image,
 /// Components as planes; grey fills all three where a colour or normal is read with factors that
 /// differ, and is shared by them where not.
 void read_components(const SourceRecord& record, const BoundImage& bound,
-                     const Components& components, const TileSpan& span, float* const planes[3]) {
+                     const Components& components, const TileSpan& span, const TileCoordinates& at,
+                     float* const planes[3]) {
     const auto& source = std::get<ImageSource>(record.source);
     const Image& image = *bound.image;
     if (components.index[0] < 0) {
         fill_tile(planes[0], source.invert ? 0.0f : 1.0f, span.count);
         return;
     }
-    if (bound.texel_for_texel) {
+    if (bound.texel_for_texel && at.u == nullptr) {
         const std::size_t texel_bytes =
             static_cast<std::size_t>(image.channels) * sample_bytes(image.type);
         read_tile({.texels = image.data.data() +
@@ -66,13 +67,14 @@ void read_components(const SourceRecord& record, const BoundImage& bound,
                  .components = components,
                  .invert = source.invert,
                  .decode = color && source.color_space == ColorSpace::Srgb,
+                 .at = at,
                  .planes = {planes[0], planes[1], planes[2]}},
                 span);
 }
 
 /// The image's alpha as it lies in the file, filtered like its colour.
 ReadPlane fetch_coverage(const SourceRecord& record, const BoundImage& bound, const TileSpan& span,
-                         TilePlanes& planes) {
+                         const TileCoordinates& at, TilePlanes& planes) {
     const Components alpha = picked_components(ChannelPick::Alpha, bound.image->channels);
     if (alpha.index[0] < 0) return uniform_one();
     SourceRecord plain = record;
@@ -80,16 +82,16 @@ ReadPlane fetch_coverage(const SourceRecord& record, const BoundImage& bound, co
     source.pick = ChannelPick::Alpha;
     source.invert = false;
     float* const target[3] = {planes.source_coverage(), nullptr, nullptr};
-    read_components(plain, bound, alpha, span, target);
+    read_components(plain, bound, alpha, span, at, target);
     return {.data = target[0]};
 }
 
 FetchedSource fetch_image(const SourceRecord& record, const BoundImage& bound, const TileSpan& span,
-                          float* const target[3], TilePlanes& planes) {
+                          const TileCoordinates& at, float* const target[3], TilePlanes& planes) {
     const auto& source = std::get<ImageSource>(record.source);
     const Components components = picked_components(source.pick, bound.image->channels);
-    read_components(record, bound, components, span, target);
-    const bool filtered = !bound.texel_for_texel || components.index[0] < 0;
+    read_components(record, bound, components, span, at, target);
+    const bool filtered = at.u != nullptr || !bound.texel_for_texel || components.index[0] < 0;
     const Adjustment adjustment = adjustment_of(record, *bound.image, components, filtered);
     int count = components.count;
     if (count == 1 && is_vector(record.reading)) {
@@ -98,27 +100,43 @@ FetchedSource fetch_image(const SourceRecord& record, const BoundImage& bound, c
     }
     if (!adjustment.is_identity()) adjust_tile(adjustment, count, target, span.count);
     FetchedSource fetched{{{target[0]}, {target[1]}, {target[2]}}, uniform_one()};
-    if (source.alpha_is_coverage) fetched.coverage = fetch_coverage(record, bound, span, planes);
+    if (source.alpha_is_coverage)
+        fetched.coverage = fetch_coverage(record, bound, span, at, planes);
     return fetched;
 }
 
-FetchedSource fetch_procedural(const SourceRecord& record, const TileSpan& span,
-                               float* const target[3]) {
-    procedural_tile(record, span, target);
+/// An image or procedural, at its UVs or at coordinates that a projection gives.
+FetchedSource fetch_at(const SourceFetch& from, const TileSpan& span, const TileCoordinates& at,
+                       float* const target[3], TilePlanes& planes) {
+    if (std::holds_alternative<ImageSource>(from.record->source))
+        return fetch_image(*from.record, *from.image, span, at, target, planes);
+    procedural_tile(*from.record, span, at, target);
     return {{{target[0]}, {target[1]}, {target[2]}}, uniform_one()};
 }
 
 }  // namespace
 
-FetchedSource fetch_source(const SourceRecord& record, const BoundImage& image,
-                           const TileSpan& span, float* const target[3], TilePlanes& planes) {
+FetchedSource fetch_source(const SourceFetch& from, const TileSpan& span, float* const target[3],
+                           TilePlanes& planes) {
+    const SourceRecord& record = *from.record;
     if (std::holds_alternative<ConstantSource>(record.source))
         return {
             {record.constant[0].plane(), record.constant[1].plane(), record.constant[2].plane()},
             uniform_one()};
-    if (std::holds_alternative<ImageSource>(record.source))
-        return fetch_image(record, image, span, target, planes);
-    return fetch_procedural(record, span, target);
+    const bool has_map = from.texels.map != nullptr;
+    if (from.chosen_parts != nullptr) {
+        if (has_map)
+            fetch_chosen_parts(from.texels, *from.chosen_parts, span, target[0]);
+        else
+            fill_tile(target[0], 1.0f, span.count);
+        return {{{target[0]}, {}, {}}, uniform_one()};
+    }
+    if (!has_map || record.projection.kind == ProjectionKind::Uv)
+        return fetch_at(from, span, {}, target, planes);
+    return fetch_projected(record, from.texels, span, target, planes,
+                           [&](const TileCoordinates& at, float* const to[3]) {
+                               return fetch_at(from, span, at, to, planes);
+                           });
 }
 
 }  // namespace patina

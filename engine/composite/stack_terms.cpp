@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "composite/surface_sources.h"
 #include "composite/uniform_values.h"
 
 namespace patina {
@@ -29,13 +30,14 @@ bool covers(const StackTerms& terms, Channel channel) {
 }
 
 /// Folds what is uniform from the bottom of the mask up. Returns its value where all of it is.
-std::optional<float> reduce_mask(const Mask& mask, MaskTerm& term) {
+std::optional<float> reduce_mask(const Mask& mask, const UvSurface* surface, MaskTerm& term) {
     if (!mask.enabled) return 1.0f;
     term.begin = mask.base;
     term.invert = mask.invert;
     for (const MaskEntry& entry : mask.entries) {
         if (!entry.visible || entry.opacity <= 0.0f) continue;
-        const auto* const constant = std::get_if<ConstantSource>(&entry.source);
+        const Source& source = resolved_source(entry.source, surface);
+        const auto* const constant = std::get_if<ConstantSource>(&source);
         if (constant != nullptr && !term.varies()) {
             term.begin = joined_mask_value(term.begin, entry, constant->value.x);
         } else {
@@ -48,7 +50,8 @@ std::optional<float> reduce_mask(const Mask& mask, MaskTerm& term) {
     return finished_mask_value(term.begin, mask.invert);
 }
 
-void add_contributions(const Layer& layer, float weight, LayerTerms& terms) {
+void add_contributions(const Layer& layer, float weight, const UvSurface* surface,
+                       LayerTerms& terms) {
     for (const ChannelInfo& entry : kChannels) {
         const Channel channel = entry.channel;
         const ChannelSettings& settings = at(layer.channels, channel);
@@ -58,7 +61,7 @@ void add_contributions(const Layer& layer, float weight, LayerTerms& terms) {
         if (const auto* const content = std::get_if<AdjustmentContent>(&layer.content))
             contribution.adjustment = &content->adjustment;
         else if (!layer.is_group())
-            contribution.source = &settings.source;
+            contribution.source = &resolved_source(settings.source, surface);
         // What a group passes through takes the place of what it started from.
         if (terms.pass_through) contribution.mode = BlendMode::Replace;
         if (layer.is_group() && layers_of_channel(terms.children, channel).empty()) continue;
@@ -139,9 +142,9 @@ struct Reduction {
 StackTerms reduced_stack(const std::vector<LayerPtr>& stack, const Reduction& how, Below below);
 
 /// What the layer covers, as far as it is the same in every texel; the rest goes into `mask`.
-float uniform_weight(const Layer& layer, MaskTerm& mask) {
+float uniform_weight(const Layer& layer, const UvSurface* surface, MaskTerm& mask) {
     if (!layer.visible) return 0.0f;
-    return layer.opacity * reduce_mask(layer.mask, mask).value_or(1.0f);
+    return layer.opacity * reduce_mask(layer.mask, surface, mask).value_or(1.0f);
 }
 
 /// Whether a group that passes through does no more than its children would in its place.
@@ -182,8 +185,9 @@ bool reads_heights(const LayerTerms& terms, ReferredLayers& referred) {
 void add_reduced(const Layer& layer, const Layer* base, const Reduction& how, Below below,
                  StackTerms& stack) {
     LayerTerms terms{.layer = &layer};
-    float weight = uniform_weight(layer, terms.mask);
-    if (base != nullptr) weight *= uniform_weight(*base, terms.clip);
+    const UvSurface* const surface = how.referred.surface();
+    float weight = uniform_weight(layer, surface, terms.mask);
+    if (base != nullptr) weight *= uniform_weight(*base, surface, terms.clip);
     if (!(weight > 0.0f)) return;
     terms.pass_through = layer.is_pass_through();
     if (const auto* const group = std::get_if<GroupContent>(&layer.content)) {
@@ -196,7 +200,7 @@ void add_reduced(const Layer& layer, const Layer* base, const Reduction& how, Be
             return;
         }
     }
-    add_contributions(layer, weight, terms);
+    add_contributions(layer, weight, surface, terms);
     if (layer.height_blend.enabled) {
         terms.height_blend = &layer.height_blend;
         const ChannelSettings& height = at(layer.channels, Channel::Height);
@@ -301,6 +305,13 @@ void add_source(Hasher& hasher, const ReliefSource& source) {
     hasher.add(source.kind).add(source.radius_permille).add(source.strength);
 }
 
+void add_source(Hasher& hasher, const GeometrySource& source) {
+    for (const auto* names : {&source.meshes, &source.materials}) {
+        hasher.add(names->size());
+        for (const std::string& name : *names) hasher.add(name);
+    }
+}
+
 void add_levels(Hasher& hasher, const Levels& levels) {
     hasher.add(levels.in_low).add(levels.in_high).add(levels.gamma);
     hasher.add(levels.out_low).add(levels.out_high);
@@ -328,8 +339,24 @@ void add_adjustment(Hasher& hasher, const AdjustmentSettings& adjustment) {
     hasher.add(adjustment.octaves).add(adjustment.seed);
 }
 
-Hash128 source_hash(const Source& source, ReferredLayers& referred) {
+/// What a source reads of the model decides what it gives; where none is at hand, it reads nothing.
+void add_surface(Hasher& hasher, const Source& source, const UvSurface* surface) {
+    if (surface == nullptr) return;
+    if (const auto* const geometry = std::get_if<GeometrySource>(&source)) {
+        hasher.add(surface->hash());
+        for (const std::uint8_t chosen : chosen_parts(*geometry, *surface)) hasher.add(chosen);
+    }
+    if (const auto projection = projection_of(source))
+        hasher.add(surface->hash())
+            .add(projection->kind)
+            .add(projection->axis)
+            .add(projection->blend);
+}
+
+Hash128 source_hash(const Source& given, ReferredLayers& referred) {
+    const Source& source = resolved_source(given, referred.surface());
     Hasher hasher;
+    add_surface(hasher, source, referred.surface());
     hasher.add(source.index());
     std::visit(
         [&](const auto& kind) {

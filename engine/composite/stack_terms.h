@@ -54,16 +54,20 @@ using StackTerms = std::vector<LayerTerms>;
 
 enum class CoveredLayers { Drop, Keep };
 
-/// What references read: each layer that is referred to, reduced as if it lay alone. One to a layer
-/// that is not there, or has nothing of that kind, reads nothing.
+/// What sources read beyond themselves: the model, and each layer that is referred to, reduced as
+/// if it lay alone. One to a layer that is not there, or has nothing of that kind, reads nothing.
 class ReferredLayers {
   public:
-    explicit ReferredLayers(const std::vector<LayerPtr>& stack) : stack_(stack) {}
+    /// @param surface  as in compile_material, kept alive by the caller; null, or with UVs
+    ReferredLayers(const std::vector<LayerPtr>& stack, const UvSurface* surface)
+        : stack_(stack), surface_(surface) {}
     ReferredLayers(const ReferredLayers&) = delete;
     ReferredLayers& operator=(const ReferredLayers&) = delete;
 
     /// Null where nothing is read. A mask is what the layer then covers of Channel::Opacity.
     const LayerTerms* find(const ReferenceSource& reference);
+    /// What sources read of the model; null where no mesh is at hand.
+    const UvSurface* surface() const { return surface_; }
 
   private:
     struct Found {
@@ -71,6 +75,7 @@ class ReferredLayers {
         std::optional<LayerTerms> terms;     ///< unset while it is being found
     };
     const std::vector<LayerPtr>& stack_;
+    const UvSurface* surface_;
     std::map<std::pair<LayerId, LayerResult>, Found> found_;
 };
 

@@ -4,6 +4,8 @@
 /// The unit of work: a run of texels of one row, with the planes of floats that all operations on
 /// it share. It stays in the first-level cache from the first operation to the last.
 
+#include <memory>
+
 #include "composite/operations.h"
 #include "core/pixel_memory.h"
 
@@ -20,6 +22,22 @@ struct TileSpan {
     int y = 0;
     int count = 0;
     int size = 0;
+    bool operator==(const TileSpan&) const = default;
+};
+
+/// What lies of the model at the texels of a tile, and what a projection works with.
+struct SurfacePlanes {
+    const void* surface = nullptr;  ///< whose `position` to `bitangent` are
+    TileSpan span = {};             ///< and where
+    alignas(64) float position[3][kTileTexels];
+    alignas(64) float normal[3][kTileTexels];
+    alignas(64) float tangent[3][kTileTexels];
+    alignas(64) float bitangent[3][kTileTexels];
+    alignas(64) float weight[3][kTileTexels];
+    alignas(64) float u[kTileTexels];
+    alignas(64) float v[kTileTexels];
+    alignas(64) float value[3][kTileTexels];
+    alignas(64) float sum[4][kTileTexels];
 };
 
 /// The planes of one thread, kTileTexels floats each, 64-byte aligned. Lanes beyond `count` of the
@@ -44,6 +62,11 @@ class TilePlanes {
     float* source(int component) { return plane(scratch() + component); }
     float* source_coverage() { return plane(scratch() + 3); }
     float* weight() { return plane(scratch() + 4); }
+    /// Made when first asked for, and kept from tile to tile.
+    SurfacePlanes& surface() {
+        if (surface_ == nullptr) surface_ = std::make_unique<SurfacePlanes>();
+        return *surface_;
+    }
 
   private:
     static constexpr int kComponents = 14;  ///< of the eight channels
@@ -65,6 +88,7 @@ class TilePlanes {
     float* plane(int index) { return memory_.data() + std::ptrdiff_t{index} * kPlaneStride; }
 
     PixelVector<float> memory_;
+    std::unique_ptr<SurfacePlanes> surface_;
 };
 
 }  // namespace patina

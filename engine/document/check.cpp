@@ -25,7 +25,8 @@ Status check_part(SourceUse use, const ConstantSource& source) {
 }
 
 Status check_part(SourceUse, const ImageSource& source) {
-    return first_failure({check_uv_set(source.uv_set), check_transform(source.transform),
+    return first_failure({check_uv_set(source.uv_set), check_projection(source.projection),
+                          check_transform(source.transform),
                           check_color(Parameter::ImageMultiply, source.multiply),
                           check_color(Parameter::ImageAdd, source.add)});
 }
@@ -40,7 +41,8 @@ Status check_part(SourceUse use, const ProceduralSource& source) {
                           check_range(Parameter::ProceduralVariation, source.variation),
                           check_range(Parameter::ProceduralAspect, source.aspect),
                           check_range(Parameter::ProceduralWarp, source.warp),
-                          check_transform(source.transform), check_ramp(use, source.ramp)});
+                          check_projection(source.projection), check_transform(source.transform),
+                          check_ramp(use, source.ramp)});
 }
 
 Status check_part(SourceUse use, const ReliefSource& source) {
@@ -54,6 +56,20 @@ Status check_part(SourceUse use, const ReferenceSource& source) {
     if (source.layer == LayerId{}) return failure("a reference has to say to which layer");
     if (reads_result(use, source.result)) return {};
     return failure("normals are read from normals only, and by normals only");
+}
+
+Status check_names(const std::vector<std::string>& names) {
+    if (names.size() > kMaxGeometryNames)
+        return failure("{} names are more than {}", names.size(), kMaxGeometryNames);
+    for (const std::string& name : names)
+        if (Status status = check_name(name); !status) return status;
+    return {};
+}
+
+Status check_part(SourceUse use, const GeometrySource& source) {
+    if (use && info(*use).kind != ChannelKind::Scalar)
+        return failure("parts of the model feed masks and single numbers only");
+    return first_failure({check_names(source.meshes), check_names(source.materials)});
 }
 
 Status check_entry(const MaskEntry& entry) {
@@ -153,6 +169,10 @@ Status check_ramp(SourceUse use, const std::vector<RampStop>& stops) {
         previous = stop.position;
     }
     return {};
+}
+
+Status check_projection(const Projection& projection) {
+    return check_range(Parameter::ProjectionBlend, projection.blend);
 }
 
 Status check_transform(const UvTransform& transform) {

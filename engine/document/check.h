@@ -38,6 +38,7 @@ glm::vec3 canonical_value(SourceUse use, const glm::vec3& value);
 
 Status check_ramp(SourceUse use, const std::vector<RampStop>& stops);
 Status check_transform(const UvTransform& transform);
+Status check_projection(const Projection& projection);
 Status check_source(SourceUse use, const Source& source);
 Status check_levels(const Levels& levels);
 Status check_adjustment(const AdjustmentSettings& adjustment);

@@ -31,8 +31,16 @@ inline constexpr std::array kBlendSpaces = {Choice{"linear", "Linear light"},
                                             Choice{"srgb-encoded", "sRGB-encoded"}};
 inline constexpr std::array kAlphaModes = {Choice{"opaque", "Opaque"}, Choice{"mask", "Mask"},
                                            Choice{"blend", "Blend"}};
+inline constexpr std::array kPaddings = {Choice{"auto", "Automatic"},
+                                         Choice{"layers", "As layered"},
+                                         Choice{"dilate", "Dilate islands"}};
 inline constexpr std::array kWraps = {Choice{"repeat", "Repeat"}, Choice{"mirror", "Mirror"},
                                       Choice{"clamp", "Clamp"}};
+inline constexpr std::array kProjectionKinds = {Choice{"uv", "UV"}, Choice{"planar", "Planar"},
+                                                Choice{"tri-planar", "Tri-planar"}};
+inline constexpr std::array kProjectionAxes = {Choice{"x", "X, from the right"},
+                                               Choice{"y", "Y, from above"},
+                                               Choice{"z", "Z, from the front"}};
 inline constexpr std::array kFilters = {Choice{"linear", "Smooth"}, Choice{"nearest", "Pixels"}};
 inline constexpr std::array kColorSpaces = {Choice{"srgb", "sRGB"}, Choice{"linear", "Linear"}};
 inline constexpr std::array kChannelPicks = {Choice{"rgb", "RGB"}, Choice{"red", "Red"},
@@ -98,7 +106,10 @@ constexpr std::span<const Choice> choices() {
     if constexpr (std::is_same_v<Enumeration, MaskCombine>) return kMaskCombines;
     if constexpr (std::is_same_v<Enumeration, BlendSpace>) return kBlendSpaces;
     if constexpr (std::is_same_v<Enumeration, AlphaMode>) return kAlphaModes;
+    if constexpr (std::is_same_v<Enumeration, Padding>) return kPaddings;
     if constexpr (std::is_same_v<Enumeration, Wrap>) return kWraps;
+    if constexpr (std::is_same_v<Enumeration, ProjectionKind>) return kProjectionKinds;
+    if constexpr (std::is_same_v<Enumeration, ProjectionAxis>) return kProjectionAxes;
     if constexpr (std::is_same_v<Enumeration, Filter>) return kFilters;
     if constexpr (std::is_same_v<Enumeration, ColorSpace>) return kColorSpaces;
     if constexpr (std::is_same_v<Enumeration, ChannelPick>) return kChannelPicks;

@@ -58,6 +58,19 @@ UvTransform read_transform(JsonObject& parent) {
     return transform;
 }
 
+Projection read_projection(JsonObject& parent) {
+    Projection projection;
+    const Json* json = parent.find("projection");
+    if (!json) return projection;
+    JsonObject object(*json, parent.pointer_to("projection"), parent.faults());
+    object.require("kind");
+    projection.kind = object.choice("kind", projection.kind);
+    projection.axis = object.choice("axis", projection.axis);
+    projection.blend = object.number("blend", Parameter::ProjectionBlend, projection.blend);
+    object.finish();
+    return projection;
+}
+
 ImageSource read_image(JsonObject& object) {
     ImageSource source;
     source.image = object.required_hash("image");
@@ -67,6 +80,7 @@ ImageSource read_image(JsonObject& object) {
     source.directx_normal = object.boolean("directx-normal", source.directx_normal);
     source.alpha_is_coverage = object.boolean("alpha-is-coverage", source.alpha_is_coverage);
     source.uv_set = static_cast<int>(object.integer("uv-set", 0, 1, source.uv_set));
+    source.projection = read_projection(object);
     source.transform = read_transform(object);
     source.wrap_u = object.choice("wrap-u", source.wrap_u);
     source.wrap_v = object.choice("wrap-v", source.wrap_v);
@@ -116,6 +130,7 @@ ProceduralSource read_procedural(SourceUse use, ProceduralKind kind, JsonObject&
     source.variation = object.number("variation", Parameter::ProceduralVariation, source.variation);
     source.aspect = object.number("aspect", Parameter::ProceduralAspect, source.aspect);
     source.warp = object.number("warp", Parameter::ProceduralWarp, source.warp);
+    source.projection = read_projection(object);
     source.transform = read_transform(object);
     source.ramp = read_ramp(use, object, "ramp", source.ramp);
     return source;
@@ -140,6 +155,14 @@ ReferenceSource read_reference(SourceUse use, JsonObject& object) {
     return source;
 }
 
+GeometrySource read_geometry(SourceUse use, JsonObject& object) {
+    GeometrySource source;
+    source.meshes = object.texts("meshes");
+    source.materials = object.texts("materials");
+    note(check_source(use, source), object.pointer(), object.faults());
+    return source;
+}
+
 Source read_source(SourceUse use, const Json& json, const std::string& pointer,
                    JsonFaults& faults) {
     if (!json.is_object()) return ConstantSource{read_value(use, json, pointer, faults)};
@@ -154,6 +177,8 @@ Source read_source(SourceUse use, const Json& json, const std::string& pointer,
         source = read_relief(use, *relief, object);
     else if (kind == "layer")
         source = read_reference(use, object);
+    else if (kind == "geometry")
+        source = read_geometry(use, object);
     else
         object.fault("kind", "is no kind of source");
     object.finish();

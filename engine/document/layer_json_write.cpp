@@ -42,6 +42,16 @@ void add_transform(Json& json, const UvTransform& transform) {
     json["transform"] = std::move(part);
 }
 
+void add_projection(Json& json, const Projection& projection) {
+    const Projection standard;
+    if (projection == standard) return;
+    Json part = Json::object();
+    part["kind"] = choice(projection.kind).id;
+    add_choice_unless(part, "axis", projection.axis, standard.axis);
+    add_unless(part, "blend", projection.blend, standard.blend);
+    json["projection"] = std::move(part);
+}
+
 Json part_to_json(SourceUse use, const ConstantSource& source) {
     return value_to_json(use, source.value);
 }
@@ -55,6 +65,7 @@ Json part_to_json(SourceUse, const ImageSource& source) {
     add_unless(json, "directx-normal", source.directx_normal, standard.directx_normal);
     add_unless(json, "alpha-is-coverage", source.alpha_is_coverage, standard.alpha_is_coverage);
     add_unless(json, "uv-set", source.uv_set, standard.uv_set);
+    add_projection(json, source.projection);
     add_transform(json, source.transform);
     add_choice_unless(json, "wrap-u", source.wrap_u, standard.wrap_u);
     add_choice_unless(json, "wrap-v", source.wrap_v, standard.wrap_v);
@@ -85,6 +96,7 @@ Json part_to_json(SourceUse use, const ProceduralSource& source) {
     add_unless(json, "variation", source.variation, standard.variation);
     add_unless(json, "aspect", source.aspect, standard.aspect);
     add_unless(json, "warp", source.warp, standard.warp);
+    add_projection(json, source.projection);
     add_transform(json, source.transform);
     if (Json ramp = ramp_to_json(use, source.ramp); ramp != ramp_to_json(use, standard.ramp))
         json["ramp"] = std::move(ramp);
@@ -102,6 +114,13 @@ Json part_to_json(SourceUse, const ReliefSource& source) {
 Json part_to_json(SourceUse, const ReferenceSource& source) {
     Json json = {{"kind", "layer"}, {"layer", source.layer.value}};
     add_choice_unless(json, "result", source.result, ReferenceSource{}.result);
+    return json;
+}
+
+Json part_to_json(SourceUse, const GeometrySource& source) {
+    Json json = {{"kind", "geometry"}};
+    if (!source.meshes.empty()) json["meshes"] = source.meshes;
+    if (!source.materials.empty()) json["materials"] = source.materials;
     return json;
 }
 

@@ -119,6 +119,10 @@ MaskEntry relief_mask_entry(ReliefKind kind) {
     return entry_named(choice(kind).label, ReliefSource{.kind = kind});
 }
 
+MaskEntry geometry_mask_entry(const std::string& part) {
+    return entry_named(part, GeometrySource{.meshes = {part}});
+}
+
 MaskEntryId next_mask_entry_id(const Document& document) {
     return MaskEntryId{document.next_id};
 }

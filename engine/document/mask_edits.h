@@ -25,6 +25,8 @@ MaskEntry value_mask_entry();
 MaskEntry image_mask_entry(const ImageAsset& image);
 MaskEntry procedural_mask_entry(ProceduralKind kind);
 MaskEntry relief_mask_entry(ReliefKind kind);
+/// Of one part of the model.
+MaskEntry geometry_mask_entry(const std::string& part);
 
 /// The id that the next mask entry added to `document` gets.
 MaskEntryId next_mask_entry_id(const Document& document);

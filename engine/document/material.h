@@ -21,6 +21,11 @@ struct MaterialId {
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
+/// What baked maps hold beside the islands that the UVs of the model make of the texture: what the
+/// layers make there, or what the nearest texel of an island has, so that no filter or mip-map
+/// shows a seam. Auto is the latter where layers read the model.
+enum class Padding : std::uint8_t { Auto, Layers, Dilate };
+
 /// Where the numbers of added materials begin, and the most materials that a file may hold.
 inline constexpr int kFirstAddedMaterial = 1 << 20;
 
@@ -34,6 +39,7 @@ struct Material {
     int resolution = 2048;        ///< side of the baked maps: 256, 512 ... 8192
     int uv_set = 0;               ///< TEXCOORD_n that baked maps use
     float height_scale = 0.02f;   ///< depth of height 1, as a share of the texture's side, 0 to 1
+    Padding padding = Padding::Auto;
     AlphaMode alpha_mode = AlphaMode::Opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;

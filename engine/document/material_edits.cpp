@@ -134,6 +134,10 @@ Edit set_material_height_scale(const Material& material, float height_scale) {
                        height_scale);
 }
 
+Edit set_material_padding(const Material& material, Padding padding) {
+    return choice_edit(material, Parameter::MaterialPadding, &Material::padding, padding);
+}
+
 Edit set_material_alpha_mode(const Material& material, AlphaMode mode) {
     return choice_edit(material, Parameter::MaterialAlphaMode, &Material::alpha_mode, mode);
 }

@@ -22,6 +22,7 @@ Edit set_material_resolution(const Material& material, int resolution);
 Edit set_material_uv_set(const Material& material, int uv_set);
 /// 0 to 1.
 Edit set_material_height_scale(const Material& material, float height_scale);
+Edit set_material_padding(const Material& material, Padding padding);
 Edit set_material_alpha_mode(const Material& material, AlphaMode mode);
 /// 0 to 1.
 Edit set_material_alpha_cutoff(const Material& material, float cutoff);

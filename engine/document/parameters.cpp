@@ -86,6 +86,13 @@ constexpr std::array kParameters = {
     ParameterInfo{.parameter = Parameter::UvRotation, .subject = Subject::UvTransform, .id = "rotation", .label = "Rotation", .kind = Number, .minimum = -360.0, .maximum = 360.0, .step = 1.0, .decimals = 1, .unit = "°",
         .tooltip = "Turns the source counter-clockwise about the UV origin. -360 to 360°."},
 
+    ParameterInfo{.parameter = Parameter::ProjectionKindChoice, .subject = Subject::Projection, .id = "kind", .label = "Projection", .kind = ParameterKind::Choice, .choices = kProjectionKinds,
+        .tooltip = "By the model's UVs, or onto its surface: from one side, or from all sides."},
+    ParameterInfo{.parameter = Parameter::ProjectionAxisChoice, .subject = Subject::Projection, .id = "axis", .label = "Along", .kind = ParameterKind::Choice, .standard = 2.0, .choices = kProjectionAxes,
+        .tooltip = "The axis of the model that a planar projection looks along."},
+    ParameterInfo{.parameter = Parameter::ProjectionBlend, .subject = Subject::Projection, .id = "blend", .label = "Blend", .kind = Number, .standard = 0.3, .display_scale = 100.0, .decimals = 0, .unit = "%",
+        .tooltip = "How softly one side of a tri-planar projection goes over to the next. 0 to 100 %."},
+
     ParameterInfo{.parameter = Parameter::ProceduralKindChoice, .subject = Subject::Procedural, .id = "kind", .label = "Pattern", .kind = ParameterKind::Choice, .standard = 1.0, .choices = kProceduralKinds,
         .tooltip = "The noise or pattern, from black to white before its ramp."},
     ParameterInfo{.parameter = Parameter::ProceduralSeed, .subject = Subject::Procedural, .id = "seed", .label = "Seed", .kind = Integer, .maximum = 4294967295.0, .step = 1.0, .decimals = 0,
@@ -122,6 +129,11 @@ constexpr std::array kParameters = {
         .tooltip = "The layer that is read, hidden or not. Those that depend on this one cannot be."},
     ParameterInfo{.parameter = Parameter::ReferenceResult, .subject = Subject::Reference, .id = "result", .label = "Result", .kind = ParameterKind::Choice, .choices = kLayerResults,
         .tooltip = "What of the layer is read: where it covers, or one of its channels."},
+
+    ParameterInfo{.parameter = Parameter::GeometryMeshes, .subject = Subject::Geometry, .id = "meshes", .label = "Parts", .kind = Text,
+        .tooltip = "Parts of the model by their names, or by those of their meshes or nodes."},
+    ParameterInfo{.parameter = Parameter::GeometryMaterials, .subject = Subject::Geometry, .id = "materials", .label = "Materials", .kind = Text,
+        .tooltip = "Parts to which the file gives materials of these names."},
 
     ParameterInfo{.parameter = Parameter::MaskEnabled, .subject = Subject::Mask, .id = "enabled", .label = "Enabled", .kind = Switch, .standard = 1.0,
         .tooltip = "Without its mask the layer covers everything."},
@@ -195,6 +207,8 @@ constexpr std::array kParameters = {
         .tooltip = "Which texture coordinates of the model the baked maps use, 0 or 1."},
     ParameterInfo{.parameter = Parameter::MaterialHeightScale, .subject = Subject::Material, .id = "height-scale", .label = "Height scale", .kind = Number, .standard = 0.02, .step = 0.001, .decimals = 3,
         .tooltip = "Depth of height 1 as a share of the texture's side, 0 to 1."},
+    ParameterInfo{.parameter = Parameter::MaterialPadding, .subject = Subject::Material, .id = "padding", .label = "Padding", .kind = ParameterKind::Choice, .choices = kPaddings,
+        .tooltip = "What baked maps hold beside the UV islands. Automatic dilates where layers read the model."},
     ParameterInfo{.parameter = Parameter::MaterialAlphaMode, .subject = Subject::Material, .id = "alpha-mode", .label = "Alpha", .kind = ParameterKind::Choice, .choices = kAlphaModes,
         .tooltip = "Opaque ignores opacity, mask cuts at the cutoff, blend is see-through."},
     ParameterInfo{.parameter = Parameter::MaterialAlphaCutoff, .subject = Subject::Material, .id = "alpha-cutoff", .label = "Alpha cutoff", .kind = Number, .standard = 0.5,

@@ -26,9 +26,11 @@ enum class Subject : std::uint8_t {
     Value,        ///< of a constant or a ramp's stop, by what it feeds
     Image,        ///< an image source
     UvTransform,  ///< of an image or procedural source
+    Projection,   ///< of an image or procedural source
     Procedural,   ///< a procedural source
     Relief,       ///< a relief source
     Reference,    ///< a source that reads another layer
+    Geometry,     ///< a source that picks parts of the model
     Mask,
     MaskEntry,
     Levels,  ///< of a mask entry or an adjustment
@@ -88,6 +90,10 @@ enum class Parameter : std::uint8_t {
     UvScale,
     UvRotation,
 
+    ProjectionKindChoice,
+    ProjectionAxisChoice,
+    ProjectionBlend,
+
     ProceduralKindChoice,
     ProceduralSeed,
     ProceduralScale,
@@ -107,6 +113,9 @@ enum class Parameter : std::uint8_t {
 
     ReferenceLayer,
     ReferenceResult,
+
+    GeometryMeshes,
+    GeometryMaterials,
 
     MaskEnabled,
     MaskInvert,
@@ -146,6 +155,7 @@ enum class Parameter : std::uint8_t {
     MaterialResolution,
     MaterialUvSet,
     MaterialHeightScale,
+    MaterialPadding,
     MaterialAlphaMode,
     MaterialAlphaCutoff,
     MaterialDoubleSided,

@@ -76,6 +76,7 @@ Json material_to_json(const Material& material) {
             {"resolution", material.resolution},
             {"uv-set", material.uv_set},
             {"height-scale", json_of(material.height_scale)},
+            {"padding", choice(material.padding).id},
             {"alpha-mode", choice(material.alpha_mode).id},
             {"alpha-cutoff", json_of(material.alpha_cutoff)},
             {"double-sided", material.double_sided},
@@ -244,6 +245,7 @@ MaterialRecord material_record(const Document& document, const Material& materia
                           .resolution = material.resolution,
                           .uv_set = material.uv_set,
                           .height_scale = material.height_scale,
+                          .padding = material.padding,
                           .stack = material.stack,
                           .images = {},
                           .baked = {},
@@ -264,6 +266,7 @@ std::string to_json(const MaterialRecord& record) {
     if (record.uv_set != standard.uv_set) json["uv-set"] = record.uv_set;
     if (record.height_scale != standard.height_scale)
         json["height-scale"] = json_of(record.height_scale);
+    if (record.padding != standard.padding) json["padding"] = choice(record.padding).id;
     json["stack"] = layers_to_json(record.stack, JsonIds::Kept);
     for (const RecordImage& image : record.images) json["images"].push_back(image_to_json(image));
     for (const auto& [map, hash] : record.baked) json["baked"][map] = to_hex(hash);
@@ -301,6 +304,7 @@ Result<MaterialRecord> material_record_from_json(std::string_view text) {
     record.uv_set = static_cast<int>(object.integer("uv-set", 0, 1, record.uv_set));
     record.height_scale =
         object.number("height-scale", Parameter::MaterialHeightScale, record.height_scale);
+    record.padding = object.choice("padding", record.padding);
     record.stands_for.value =
         static_cast<std::uint64_t>(object.integer("stands-for", 1, kLargestId, 0));
     const bool has_stack = record.stands_for == MaterialId{};

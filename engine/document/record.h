@@ -44,6 +44,7 @@ struct MaterialRecord {
     int resolution = 2048;
     int uv_set = 0;
     float height_scale = 0.02f;
+    Padding padding = Padding::Auto;
     std::vector<LayerPtr> stack;      ///< bottom to top
     std::vector<RecordImage> images;  ///< those that the stack reads, each once, by hash
     /// Hashes of the decoded pixels of the maps that were baked, by an id such as "base-color", so

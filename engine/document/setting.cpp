@@ -156,6 +156,12 @@ constexpr auto kMaterialSettings = std::to_array<MaterialSetting>({
      [](const Material& m, const Json& v) { return set_material_uv_set(m, v.get<int>()); }},
     {Parameter::MaterialHeightScale,
      [](const Material& m, const Json& v) { return set_material_height_scale(m, v.get<float>()); }},
+    {Parameter::MaterialPadding,
+     [](const Material& m, const Json& v) {
+         const auto padding = choice_from_id<Padding>(v.get<std::string>());
+         if (!padding) throw std::invalid_argument("is none of auto, layers, dilate");
+         return set_material_padding(m, *padding);
+     }},
     {Parameter::MaterialAlphaMode,
      [](const Material& m, const Json& v) {
          const auto mode = choice_from_id<AlphaMode>(v.get<std::string>());

@@ -2,12 +2,13 @@
 #pragma once
 
 /// Where a layer's channel or a mask entry gets its numbers: a constant, an image, a procedural,
-/// the heights below, another layer. All are functions of the material's UV coordinates (u right, v
-/// down, 0..1 is the texture).
+/// the heights below, another layer, the parts of the model. All are functions of the material's UV
+/// coordinates (u right, v down, 0..1 is the texture), some by what lies there of the model.
 
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -29,6 +30,20 @@ struct UvTransform {
     glm::vec2 scale = glm::vec2(1.0f);
     float rotation_degrees = 0.0f;
     bool operator==(const UvTransform&) const = default;
+};
+
+enum class ProjectionKind : std::uint8_t { Uv, Planar, TriPlanar };
+/// As axes are numbered in shaders/shared/projection.glsl.
+enum class ProjectionAxis : std::uint8_t { X, Y, Z };
+
+/// What the coordinates of an image or procedural are before its transform: the material's UVs, or
+/// places of the model in model space (scene/uv_surface.h), where 1 is the model's longest side,
+/// seen along an axis. Where no mesh is at hand they are the UVs.
+struct Projection {
+    ProjectionKind kind = ProjectionKind::Uv;
+    ProjectionAxis axis = ProjectionAxis::Z;  ///< of a planar one: as seen from its positive end
+    float blend = 0.3f;  ///< 0 to 1, of a tri-planar one: how softly one side goes over to the next
+    bool operator==(const Projection&) const = default;
 };
 
 enum class Wrap : std::uint8_t { Repeat, Mirror, Clamp };
@@ -53,6 +68,7 @@ struct ImageSource {
     bool directx_normal = false;     ///< a normal map with -Y up
     bool alpha_is_coverage = false;  ///< the image's alpha scales the weight of the layer there
     int uv_set = 0;
+    Projection projection = {};
     UvTransform transform = {};
     Wrap wrap_u = Wrap::Repeat;
     Wrap wrap_v = Wrap::Repeat;
@@ -114,6 +130,7 @@ struct ProceduralSource {
     float warp = 0.0f;       ///< 0 to 1: how far a noise bends the pattern, in cells
     float contrast = 0.0f;   ///< -1 to 1; 0 leaves the noise, 1 is a threshold at the balance
     float balance = 0.5f;    ///< 0 to 1; the value that contrast leaves unchanged
+    Projection projection = {};
     UvTransform transform = {};
     std::vector<RampStop> ramp = {{0.0f, glm::vec3(0.0f)},
                                   {1.0f, glm::vec3(1.0f)}};  ///< 1 to 8, ascending
@@ -162,7 +179,17 @@ struct ReferenceSource {
     bool operator==(const ReferenceSource&) const = default;
 };
 
-using Source =
-    std::variant<ConstantSource, ImageSource, ProceduralSource, ReliefSource, ReferenceSource>;
+/// Which parts of the model, out of those that wear the material: 1 on parts that are named, 0 on
+/// all others, 1 everywhere where no mesh is at hand. Feeds masks and single numbers.
+struct GeometrySource {
+    std::vector<std::string> meshes = {};     ///< names of parts, their meshes or nodes
+    std::vector<std::string> materials = {};  ///< names of materials that the file gives parts
+    bool operator==(const GeometrySource&) const = default;
+};
+/// In each of its lists.
+inline constexpr std::size_t kMaxGeometryNames = 256;
+
+using Source = std::variant<ConstantSource, ImageSource, ProceduralSource, ReliefSource,
+                            ReferenceSource, GeometrySource>;
 
 }  // namespace patina

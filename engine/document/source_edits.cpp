@@ -65,6 +65,7 @@ constexpr std::string_view kind_name() {
     if constexpr (std::is_same_v<Kind, ImageSource>) return "an image";
     if constexpr (std::is_same_v<Kind, ProceduralSource>) return "a procedural";
     if constexpr (std::is_same_v<Kind, ReliefSource>) return "a relief";
+    if constexpr (std::is_same_v<Kind, GeometrySource>) return "a choice of parts";
 }
 
 /// An edit of a source of one kind; refused while the source is of another.
@@ -242,6 +243,28 @@ Edit set_relief(const SourcePlace& place, const ReliefSource& relief, Parameter 
     const bool merges = row.kind == ParameterKind::Number;
     return edit_of<ReliefSource>(place, row.label, merges ? key_of(place, row.id) : MergeKey{},
                                  [relief](ReliefSource& part) { part = relief; });
+}
+
+Edit set_geometry(const SourcePlace& place, const GeometrySource& geometry, Parameter parameter) {
+    return edit_of<GeometrySource>(place, info(parameter).label, {},
+                                   [geometry](GeometrySource& part) { part = geometry; });
+}
+
+Edit set_projection(const SourcePlace& place, const Projection& projection, Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    const bool merges = row.kind == ParameterKind::Number;
+    return source_edit(place, label_of(place, row.label),
+                       merges ? key_of(place, "projection-" + std::string(row.id)) : MergeKey{},
+                       [place, projection](Source& source, const Document&) -> Status {
+                           if (auto* image = std::get_if<ImageSource>(&source))
+                               image->projection = projection;
+                           else if (auto* noise = std::get_if<ProceduralSource>(&source))
+                               noise->projection = projection;
+                           else
+                               return failure("the source of {} is not projected",
+                                              quoted_for_message(place.name, 80));
+                           return {};
+                       });
 }
 
 Edit set_image(const SourcePlace& place, const ImageAssetPtr& image) {

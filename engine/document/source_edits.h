@@ -54,6 +54,9 @@ Edit set_ramp_stop(const SourcePlace& place, int index, const RampStop& stop);
 /// `parameter`: what is being changed, for the label; drags of one parameter merge.
 Edit set_relief(const SourcePlace& place, const ReliefSource& relief, Parameter parameter);
 
+/// All that it picks, at once.
+Edit set_geometry(const SourcePlace& place, const GeometrySource& geometry, Parameter parameter);
+
 Edit set_image(const SourcePlace& place, const ImageAssetPtr& image);  ///< in the document already
 Edit set_image_color_space(const SourcePlace& place, ColorSpace space);
 Edit set_image_pick(const SourcePlace& place, ChannelPick pick);
@@ -66,6 +69,8 @@ Edit set_image_filter(const SourcePlace& place, Filter filter);
 /// value = decoded * multiply + add; each component -1000 to 1000.
 Edit set_image_range(const SourcePlace& place, const glm::vec3& multiply, const glm::vec3& add);
 
+/// Of an image or a procedural.
+Edit set_projection(const SourcePlace& place, const Projection& projection, Parameter parameter);
 /// Of an image or a procedural. Scale may be negative (mirrored) but not zero.
 Edit set_uv_offset(const SourcePlace& place, const glm::vec2& offset);
 Edit set_uv_scale(const SourcePlace& place, const glm::vec2& scale);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/baked_files.h"
 
+#include "composite/dilate.h"
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
 #include "io/png_writer.h"
@@ -45,12 +46,14 @@ std::array<double, 256> byte_values(bool srgb) {
 
 }  // namespace
 
-Result<EncodedMaps> bake_and_encode(const Program& program, ImageProvider& images, int size,
+Result<EncodedMaps> bake_and_encode(const Program& program, const UvSurfacePtr& islands,
+                                    ImageProvider& images, int size,
                                     const std::vector<BakedMap>& wanted, const Progress& progress) {
     EncodedMaps encoded;
     if (wanted.empty()) return encoded;
-    const auto maps = bake_maps(program, images, size, wanted, progress);
+    auto maps = bake_maps(program, images, size, wanted, progress);
     if (!maps) return passed_on(maps);
+    if (islands != nullptr) dilate(*islands, *maps);
     for (const BakedMap map : wanted) {
         auto file = std::make_shared<EncodedMap>();
         file->image = without_opaque_alpha((*maps)[map]);

@@ -20,7 +20,9 @@ struct EncodedMap {
 /// By BakedMap; those that were not asked for are null.
 using EncodedMaps = std::array<std::shared_ptr<const EncodedMap>, kBakedMapCount>;
 
-Result<EncodedMaps> bake_and_encode(const Program& program, ImageProvider& images, int size,
+/// @param islands  what the maps are dilated by, or null
+Result<EncodedMaps> bake_and_encode(const Program& program, const UvSurfacePtr& islands,
+                                    ImageProvider& images, int size,
                                     const std::vector<BakedMap>& wanted, const Progress& progress);
 
 /// The mean of what a slot reads of its map, as the slot's factor (SlotStatement::factor): colours

@@ -110,6 +110,7 @@ class DocumentReader {
                 material.resolution = record.resolution;
                 material.uv_set = record.uv_set;
                 material.height_scale = record.height_scale;
+                material.padding = record.padding;
                 for (const RecordImage& image : record.images) find_beside(index, image);
             }
         }

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "composite/composite.h"
+#include "composite/dilate.h"
+#include "composite/operations.h"
+#include "document/worn_surface.h"
 #include "io/material_json.h"
 #include "io/record_json.h"
 #include "io/safe_name.h"
@@ -50,10 +53,14 @@ glm::vec4 factor_of(const SlotImage& image, Slot slot) {
 class MaterialWriter {
   public:
     MaterialWriter(MaterialSave& save, Material now, const Material* before)
-        : save_(save), now_(std::move(now)), before_(before), program_(Program::compile(now_)) {}
+        : save_(save),
+          now_(std::move(now)),
+          before_(before),
+          program_(Program::compile(save.document, now_)) {}
 
     Result<EncodedMaps> write() {
         open();
+        note_what_is_missing();
         plan();
         if (const Status ok = bake(); !ok) return passed_on(ok);
         for (const Slot slot : kSlots)
@@ -86,6 +93,14 @@ class MaterialWriter {
         stand_in_ = find_stand_in(materials(), now_.id);
     }
 
+    void note_what_is_missing() {
+        if (!reads_surface(now_)) return;
+        const UvSurfacePtr surface = worn_surface(save_.document, now_, program_.data().surface);
+        for (const std::string& line : missing_of_surface(now_, *surface))
+            save_.warnings.push_back(
+                fmt::format("material \"{}\": {}", quoted_for_message(now_.name, 60), line));
+    }
+
     /// What the settings in the JSON are those of, or null where it has none yet.
     const Material* settings_before() const {
         if (before_ || !now_.copied_from || !save_.document.opened) return before_;
@@ -116,9 +131,15 @@ class MaterialWriter {
     void find_changed_slots() {
         changed_.fill(true);
         if (!before_) return replace_specular_glossiness();
-        const Program old = Program::compile(*before_);
-        const bool same_layout =
-            now_.resolution == before_->resolution && now_.uv_set == before_->uv_set;
+        const Document& opened = save_.document.opened ? *save_.document.opened : save_.document;
+        const Program old = Program::compile(opened, *before_);
+        const UvSurfacePtr islands = dilated_by(save_.document, now_, program_);
+        const UvSurfacePtr old_islands = dilated_by(opened, *before_, old);
+        const bool same_islands = islands == nullptr || old_islands == nullptr
+                                      ? islands == old_islands
+                                      : islands->hash() == old_islands->hash();
+        const bool same_layout = now_.resolution == before_->resolution &&
+                                 now_.uv_set == before_->uv_set && same_islands;
         for (const Slot slot : kSlots)
             changed_[as_index(slot)] =
                 program_.slot_hash(slot) != old.slot_hash(slot) ||
@@ -154,7 +175,8 @@ class MaterialWriter {
             if (is_baked(slot) && changed_[as_index(slot)]) wanted.insert(baked_map_of(slot));
             if (varies && needs_stand_in_ && averaged(slot)) wanted.insert(baked_map_of(slot));
         }
-        auto maps = bake_and_encode(program_, save_.pixels, save_.size.value_or(now_.resolution),
+        auto maps = bake_and_encode(program_, dilated_by(save_.document, now_, program_),
+                                    save_.pixels, save_.size.value_or(now_.resolution),
                                     {wanted.begin(), wanted.end()}, save_.progress);
         if (!maps)
             return failure("material \"{}\": {}", quoted_for_message(now_.name, 60),

@@ -22,9 +22,9 @@ Json beginning_of(const Material& material, const Json& materials) {
     return copy;
 }
 
-std::set<int> uv_sets_of(const Material& material) {
+std::set<int> uv_sets_of(const Document& document, const Material& material) {
     std::set<int> sets;
-    const Program program = Program::compile(material);  // owns the slots it lists
+    const Program program = Program::compile(document, material);  // owns the slots it lists
     for (const SlotPlan& plan : program.slots()) {
         if (const auto* image = std::get_if<SlotImage>(&plan)) sets.insert(image->source.uv_set);
         if (std::holds_alternative<SlotBaked>(plan)) sets.insert(material.uv_set);
@@ -96,7 +96,7 @@ std::set<MaterialId> shown_without_uvs(const Document& document) {
     std::map<MaterialId, std::set<int>> uv_sets;
     for (const auto& [part, id] : document.assigned)
         if (const MaterialPtr material = find_material(document, id))
-            uv_sets.try_emplace(id, uv_sets_of(*material));
+            uv_sets.try_emplace(id, uv_sets_of(document, *material));
     for (const Mesh& mesh : document.scene->meshes)
         for (const Primitive& primitive : mesh.primitives) {
             const auto assigned = document.assigned.find(primitive.source);

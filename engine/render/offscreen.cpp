@@ -26,9 +26,10 @@ void await_images(const Program& program, ImageProvider& images) {
     for (const Hash128& image : program.images()) (void)images.pixels(image);
 }
 
-Result<SurfaceMaterial> composited_surface(const Material& material, ImageProvider& images,
-                                           int max_map_size, const Progress& progress) {
-    const Program program = Program::compile(material);
+Result<SurfaceMaterial> composited_surface(const Document& document, const Material& material,
+                                           ImageProvider& images, int max_map_size,
+                                           const Progress& progress) {
+    const Program program = Program::compile(document, material);
     if (baked_maps_of(program.slots()).empty())
         return surface_of(material, program.slots(), {}, images);
     await_images(program, images);
@@ -45,7 +46,7 @@ Status set_materials(Renderer& renderer, const Document& document, ImageProvider
     for (std::size_t i = 0; i < document.materials.size(); ++i) {
         const Material& material = *document.materials[i];
         const Result<SurfaceMaterial> surface =
-            composited_surface(material, images, request.max_map_size, progress);
+            composited_surface(document, material, images, request.max_map_size, progress);
         if (!surface) return passed_on(surface);
         if (Status done = renderer.set_material(material.source_material.value_or(-1), *surface);
             !done)

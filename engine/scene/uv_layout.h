@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/uv_surface.h"
 
 namespace patina {
 
@@ -25,15 +25,16 @@ struct UvLayout {
     glm::vec2 high = glm::vec2(0.0f);
     std::size_t triangles = 0;
     std::size_t without_uvs = 0;  ///< triangles that have none, or no finite ones
+    bool measured = true;         ///< false: `used` and `overlapped` are not known
 
     /// Whether all lies in one tile of the texture.
     bool within_a_tile() const { return low.x >= 0 && low.y >= 0 && high.x <= 1 && high.y <= 1; }
 };
 
-/// @param source_material  as in Primitive
-/// @param uv_set           0 or 1
-/// @param size             texels a side, 1 to 16384
-UvCoverage uv_coverage(const Scene& scene, int source_material, int uv_set, int size);
-UvLayout uv_layout(const Scene& scene, int source_material, int uv_set, int size = 1024);
+/// @param size  texels a side, 1 to 16384
+UvCoverage uv_coverage(const UvSurface& surface, int size);
+/// Of so many large triangles that it would take longer than a second or so, only what needs no
+/// texels is told: see UvLayout::measured.
+UvLayout uv_layout(const UvSurface& surface, int size = 1024);
 
 }  // namespace patina

@@ -76,6 +76,9 @@ Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& v
     if (const auto v =
             number(padded_line(ui, rest), Parameter::MaterialHeightScale, material.height_scale))
         requests.edit(set_material_height_scale(material, static_cast<float>(*v)));
+    if (const auto padding = parameter_combo(ui, padded_line(ui, rest), Parameter::MaterialPadding,
+                                             material.padding))
+        requests.edit(set_material_padding(material, *padding));
     const auto flags = side_by_side<2>(ui, padded_line(ui, rest));
     const auto toggle = [&](const Rect& rect, Parameter parameter, bool on) {
         return labelled_checkbox(ui, rect, info(parameter).label, on, info(parameter).tooltip);

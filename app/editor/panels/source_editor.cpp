@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/panels/source_editor.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -8,6 +11,7 @@
 #include "document/procedural_kinds.h"
 #include "document/references.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/surface_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
 #include "editor/widgets/form.h"
@@ -19,15 +23,16 @@ namespace patina::editor {
 namespace {
 
 /// In the order of Source.
-enum class Kind : std::uint8_t { Value, Image, Procedural, Relief, Layer };
-constexpr std::array<std::string_view, 5> kKindLabels = {"Value", "Image", "Procedural", "Relief",
-                                                         "Layer"};
+enum class Kind : std::uint8_t { Value, Image, Procedural, Relief, Layer, Parts };
+constexpr std::array<std::string_view, 6> kKindLabels = {"Value",  "Image", "Procedural",
+                                                         "Relief", "Layer", "Parts"};
 
 std::vector<LayerPtr> readable_layers(const EditedSource& edited, const Shown& shown) {
     return referable_layers(shown.material->stack, edited.layer);
 }
 
-/// Relief is one number: of masks and scalars. Another layer is offered where there is one.
+/// Relief and parts are one number: of masks and scalars. Parts are offered to masks. Another layer
+/// is offered where there is one.
 std::vector<Kind> kinds_for(const EditedSource& edited, const Shown& shown) {
     std::vector<Kind> kinds = {Kind::Value, Kind::Image, Kind::Procedural};
     if (!edited.channel || info(*edited.channel).kind == ChannelKind::Scalar)
@@ -35,6 +40,8 @@ std::vector<Kind> kinds_for(const EditedSource& edited, const Shown& shown) {
     if (std::holds_alternative<ReferenceSource>(edited.source) ||
         !readable_layers(edited, shown).empty())
         kinds.push_back(Kind::Layer);
+    if (std::holds_alternative<GeometrySource>(edited.source) || !edited.channel)
+        kinds.push_back(Kind::Parts);
     return kinds;
 }
 
@@ -93,6 +100,13 @@ Requests change_kind(const EditedSource& edited, Kind kind, const Shown& shown) 
                                          ReferenceSource{.layer = layers.front()->id,
                                                          .result = usual_result(edited.channel)}));
             break;
+        case Kind::Parts: {
+            GeometrySource source;
+            if (const auto parts = worn_parts(*shown.document, shown.material->id); !parts.empty())
+                source.meshes = {parts.front()};
+            requests.edit(set_source(edited.place, std::move(source)));
+            break;
+        }
     }
     return requests;
 }
@@ -161,6 +175,7 @@ Requests draw_image(Ui& ui, Rect& rest, const EditedSource& edited, const ImageS
                                         Parameter::ImageFilter, source.filter);
     if (filter) requests.edit(set_image_filter(edited.place, *filter));
     requests.append(draw_image_switches(ui, rest, edited, source));
+    requests.append(draw_projection(ui, rest, edited.place, source.projection));
     return requests;
 }
 
@@ -270,6 +285,7 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
     if (const auto v = number(first[2], Parameter::ProceduralSeed, source.seed))
         requests.edit(set_procedural_seed(place, static_cast<std::uint32_t>(*v)));
     requests.append(draw_procedural_numbers(ui, rest, place, source));
+    requests.append(draw_projection(ui, rest, place, source.projection));
     return requests;
 }
 
@@ -392,15 +408,21 @@ Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, cons
     // The row above has the same value with the same name.
     const Place place(ui, "Source");
     const std::vector<Kind> kinds = kinds_for(edited, shown);
-    std::vector<std::string_view> labels;
-    int current = -1;
-    for (const Kind kind : kinds) {
-        if (static_cast<std::size_t>(kind) == edited.source.index())
-            current = static_cast<int>(labels.size());
-        labels.push_back(kKindLabels[static_cast<std::size_t>(kind)]);
+    // More than five in a line are cut short.
+    const std::size_t in_line = kinds.size() > 5 ? (kinds.size() + 1) / 2 : kinds.size();
+    for (std::size_t first = 0; first < kinds.size(); first += in_line) {
+        std::vector<std::string_view> labels;
+        int current = -1;
+        for (std::size_t i = first; i < std::min(first + in_line, kinds.size()); ++i) {
+            const auto kind = static_cast<std::size_t>(kinds[i]);
+            if (kind == edited.source.index()) current = static_cast<int>(labels.size());
+            labels.push_back(kKindLabels[kind]);
+        }
+        const auto chosen = segmented(ui, next_line(ui, rest), labels, current);
+        if (!chosen) continue;
+        const Kind kind = kinds[first + static_cast<std::size_t>(*chosen)];
+        requests.append(change_kind(edited, kind, shown));
     }
-    if (const auto chosen = segmented(ui, next_line(ui, rest), labels, current))
-        requests.append(change_kind(edited, kinds[static_cast<std::size_t>(*chosen)], shown));
     if (std::holds_alternative<ConstantSource>(edited.source))
         requests.append(draw_constant(ui, next_line(ui, rest), edited, true));
     if (const auto* image = std::get_if<ImageSource>(&edited.source))
@@ -413,6 +435,8 @@ Requests draw_source_editor(Ui& ui, Rect& rest, const EditedSource& edited, cons
         requests.append(draw_layer_choice(ui, next_line(ui, rest), edited, *reference, shown));
         requests.append(draw_result_choice(ui, next_line(ui, rest), edited, *reference));
     }
+    if (const auto* geometry = std::get_if<GeometrySource>(&edited.source))
+        requests.append(draw_geometry(ui, rest, edited.place, *geometry, shown));
     return requests;
 }
 
@@ -430,6 +454,11 @@ std::string source_name(const Source& source, std::optional<Channel> channel,
         for (const MaterialPtr& material : document.materials)
             if (const LayerPtr layer = find_layer(*material, reference->layer)) return layer->name;
         return "Missing layer";
+    }
+    if (const auto* geometry = std::get_if<GeometrySource>(&source)) {
+        const std::size_t count = geometry->meshes.size() + geometry->materials.size();
+        if (count != 1) return fmt::format("{} parts or materials", count);
+        return geometry->meshes.empty() ? geometry->materials[0] : geometry->meshes[0];
     }
     const glm::vec3 value = std::get<ConstantSource>(source).value;
     return is_color(channel) ? hex_color(value) : number_text(static_cast<double>(value.x));

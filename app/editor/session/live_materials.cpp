@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "document/worn_surface.h"
 
 namespace patina::editor {
 namespace {
@@ -27,21 +28,35 @@ LiveMaterials::~LiveMaterials() {
     thread_.join();
 }
 
-void LiveMaterials::show(std::vector<MaterialPtr> materials, std::shared_ptr<ImageProvider> images,
-                         MaterialId first) {
+void LiveMaterials::show(const Document& document, std::vector<MaterialPtr> materials,
+                         std::shared_ptr<ImageProvider> images, MaterialId first) {
+    std::vector<Worn> wanted;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        // Only this thread changes what is wanted.
+        const UvSurfacePtr last = i < wanted_.size() ? wanted_[i].surface : nullptr;
+        UvSurfacePtr surface = surface_read(document, *materials[i], last);
+        wanted.push_back({std::move(materials[i]), std::move(surface)});
+    }
     {
         const std::lock_guard lock(mutex_);
-        if (materials == wanted_ && images == images_) {
+        if (wanted == wanted_ && images == images_) {
             first_ = first;
             return;
         }
         if (images != images_) forget_ = true;
-        wanted_ = std::move(materials);
+        wanted_ = std::move(wanted);
         images_ = std::move(images);
         first_ = first;
         current_.cancel();
     }
     work_.notify_all();
+}
+
+std::map<MaterialId, UvSurfacePtr> LiveMaterials::surfaces() const {
+    std::map<MaterialId, UvSurfacePtr> surfaces;
+    for (const Worn& worn : wanted_)
+        if (worn.surface) surfaces.emplace(worn.material->id, worn.surface);
+    return surfaces;
 }
 
 std::vector<LiveMaterials::Changed> LiveMaterials::take() {
@@ -63,15 +78,16 @@ bool LiveMaterials::settled() const {
 std::optional<LiveMaterials::Task> LiveMaterials::next_task() const {
     std::optional<Task> refinement;
     std::optional<Task> preview;
-    for (const MaterialPtr& material : wanted_) {
+    for (const Worn& worn : wanted_) {
+        const MaterialPtr& material = worn.material;
         const auto made = made_.find(material->id);
         const bool is_first = material->id == first_;
-        const bool current = made != made_.end() && made->second.material == material;
+        const bool current = made != made_.end() && made->second.worn == worn;
         const int least = std::min(material->resolution, kPreviewSize);
         if (!current) {
-            if (!preview || is_first) preview = Task{material, least};
+            if (!preview || is_first) preview = Task{worn, least};
         } else if (made->second.size < material->resolution) {
-            if (!refinement || is_first) refinement = Task{material, material->resolution};
+            if (!refinement || is_first) refinement = Task{worn, material->resolution};
         }
     }
     return preview ? preview : refinement;
@@ -80,10 +96,11 @@ std::optional<LiveMaterials::Task> LiveMaterials::next_task() const {
 std::optional<LiveMaterials::Changed> LiveMaterials::make(const Task& task, Made& made,
                                                           ImageProvider& images,
                                                           const Progress& progress) {
-    const Program program = Program::compile(*task.material);
+    const Material& material = *task.worn.material;
+    const Program program = Program::compile(material, task.worn.surface);
     const std::vector<BakedMap> needed = render::baked_maps_of(program.slots());
     Changed changed;
-    changed.source_material = task.material->source_material.value_or(-1);
+    changed.source_material = material.source_material.value_or(-1);
     MapSet maps;
     if (!needed.empty()) {
         for (const Hash128& image : program.images())
@@ -96,10 +113,10 @@ std::optional<LiveMaterials::Changed> LiveMaterials::make(const Task& task, Made
             return std::nullopt;
         }
         changed.elapsed_ms = update->elapsed_ms;
-        if (made.size == task.size && made.material) changed.texels = update->changed;
+        if (made.size == task.size && made.worn.material) changed.texels = update->changed;
         maps = composite.maps();
     }
-    changed.surface = render::surface_of(*task.material, program.slots(), maps, images);
+    changed.surface = render::surface_of(material, program.slots(), maps, images);
     return changed;
 }
 
@@ -117,14 +134,14 @@ void LiveMaterials::run() {
         current_ = Progress();
         const Progress progress = current_;
         busy_ = true;
-        Made& made = made_[task->material->id];
+        Made& made = made_[task->worn.material->id];
         lock.unlock();
         std::optional<Changed> changed = make(*task, made, *images, progress);
         lock.lock();
         busy_ = false;
         // A failure that is not a cancellation counts as made: it has been reported.
         if (!forget_ && (changed || !progress.cancelled())) {
-            made.material = task->material;
+            made.worn = task->worn;
             made.size = task->size;
         }
         if (changed && !forget_) ready_.push_back(std::move(*changed));

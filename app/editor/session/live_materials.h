@@ -17,6 +17,7 @@
 #include "core/progress.h"
 #include "document/document.h"
 #include "render/surface.h"
+#include "scene/uv_surface.h"
 
 namespace patina::editor {
 
@@ -37,23 +38,33 @@ class LiveMaterials {
     LiveMaterials& operator=(const LiveMaterials&) = delete;
 
     /// Shows these materials from now on. Work on older ones is cut short.
-    void show(std::vector<MaterialPtr> materials, std::shared_ptr<ImageProvider> images,
-              MaterialId first);
+    /// @param materials  those of the document, some of which may be stood in for
+    void show(const Document& document, std::vector<MaterialPtr> materials,
+              std::shared_ptr<ImageProvider> images, MaterialId first);
+    /// What layers of each material that is shown read of the model; those that read nothing of it
+    /// are left out. Asked for by the thread that calls show().
+    std::map<MaterialId, UvSurfacePtr> surfaces() const;
     /// What changed since the last call.
     std::vector<Changed> take();
     /// Everything wanted has been made and taken.
     bool settled() const;
 
   private:
+    /// A material, and the surface that its layers read, or null.
+    struct Worn {
+        MaterialPtr material;
+        UvSurfacePtr surface;
+        bool operator==(const Worn&) const = default;
+    };
     /// What was last made of one material, and what makes the next update cheap.
     struct Made {
-        MaterialPtr material;
+        Worn worn;
         int size = 0;
         LiveComposite preview{std::size_t{128} << 20};
         LiveComposite full{std::size_t{256} << 20};
     };
     struct Task {
-        MaterialPtr material;
+        Worn worn;
         int size = 0;
     };
 
@@ -65,7 +76,7 @@ class LiveMaterials {
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable work_;
-    std::vector<MaterialPtr> wanted_;
+    std::vector<Worn> wanted_;
     std::shared_ptr<ImageProvider> images_;
     MaterialId first_;
     std::vector<Changed> ready_;

@@ -31,6 +31,17 @@ render::View ball_view(const Bounds& bounds) {
 
 }  // namespace
 
+UvSurfacePtr ball_surface() {
+    static const UvSurfacePtr surface = [] {
+        const ScenePtr scene = ball_scene();
+        std::vector<SurfacePart> parts;
+        for (const Primitive& primitive : scene->meshes.front().primitives)
+            parts.push_back({.primitive = &primitive});
+        return std::make_shared<const UvSurface>(scene, std::move(parts), 0);
+    }();
+    return surface;
+}
+
 Result<MaterialBall> MaterialBall::create() {
     Result<render::Renderer> renderer = render::Renderer::create();
     if (!renderer) return passed_on(renderer);

@@ -9,8 +9,12 @@
 #include "core/result.h"
 #include "render/renderer.h"
 #include "render/surface.h"
+#include "scene/uv_surface.h"
 
 namespace patina::editor {
+
+/// The ball, as what materials on it can read.
+UvSurfacePtr ball_surface();
 
 class MaterialBall {
   public:

@@ -12,6 +12,7 @@
 #include "composite/composite.h"
 #include "core/log.h"
 #include "document/edits.h"
+#include "document/worn_surface.h"
 #include "editor/session/thumbnail_materials.h"
 
 namespace patina::editor {
@@ -202,8 +203,8 @@ void Session::follow_texel(const ViewState& view) {
     texel_->channel = channel;
     texel_->steps.clear();
     if (!channel) return;
-    auto steps =
-        explain_texel(*material, *images_, *channel, size, texel_->texel_x, texel_->texel_y);
+    auto steps = explain_texel(*material, surface_read(*history_->document(), *material), *images_,
+                               *channel, size, texel_->texel_x, texel_->texel_y);
     if (steps)
         texel_->steps = std::move(*steps);
     else
@@ -243,7 +244,8 @@ void Session::show_materials(const ViewState& view) {
     for (MaterialPtr& material : materials)
         if (material->id == view.material && (view.viewed_mask.value != 0 || view.solo.value != 0))
             material = part_of(material, view);
-    live_.show(std::move(materials), images_, view.material);
+    live_.show(*history_->document(), std::move(materials), images_, view.material);
+    thumbnails_.set_surfaces(live_.surfaces());
     picture_.assign_materials(assigned_numbers(*history_->document()));
 }
 

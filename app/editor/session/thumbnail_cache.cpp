@@ -7,6 +7,7 @@
 #include "composite/composite.h"
 #include "core/formulae/formulae.h"
 #include "core/log.h"
+#include "editor/session/material_ball.h"
 #include "editor/session/thumbnail_materials.h"
 #include "io/image_store.h"
 #include "render/environment.h"
@@ -20,8 +21,9 @@ constexpr int kBallSide = 192;
 constexpr std::size_t kMostEntries = 600;
 constexpr std::size_t kMostKeys = 4 * kMostEntries;
 
-Result<Image> base_color_picture(const Material& material, ImageProvider& images) {
-    const Program program = Program::compile(material);
+Result<Image> base_color_picture(const Material& material, const UvSurfacePtr& surface,
+                                 ImageProvider& images) {
+    const Program program = Program::compile(material, surface);
     Result<MapSet> maps = bake_maps(program, images, kMapSide, {BakedMap::BaseColor});
     if (!maps) return passed_on(maps);
     return Image(*(*maps)[BakedMap::BaseColor]);
@@ -29,7 +31,7 @@ Result<Image> base_color_picture(const Material& material, ImageProvider& images
 
 /// Small maps for everything that is not constant, untouched images included.
 Result<render::SurfaceMaterial> small_surface(const Material& material, ImageProvider& images) {
-    const Program program = Program::compile(material);
+    const Program program = Program::compile(material, ball_surface());
     std::array<SlotPlan, kSlotCount> slots = program.slots();
     for (std::size_t i = 0; i < slots.size(); ++i)
         if (std::holds_alternative<SlotImage>(slots[i]))
@@ -135,10 +137,10 @@ ThumbnailCache::LayerMask mask_of(const Material& material, const Layer& layer, 
     return {.mask = std::move(mask), .stack = material.stack, .layer = layer.id};
 }
 
-Hash128 material_key(std::string_view kind, const Material& material) {
-    const Program program = Program::compile(material);
+Hash128 material_key(bool ball, const Material& material, const UvSurfacePtr& surface) {
+    const Program program = Program::compile(material, surface);
     Hasher hasher;
-    hasher.add(kind);
+    hasher.add(ball);
     for (int i = 0; i < kSlotCount; ++i) hasher.add(program.slot_hash(static_cast<Slot>(i)));
     hasher.add(material.ior).add(material.specular_factor).add(material.emissive_strength);
     return hasher.finish();
@@ -203,49 +205,57 @@ Picture ThumbnailCache::find(const Hash128& key, std::function<Made()> work) {
 
 /// Keys are hashes of compiled programs, which cost more than a frame may: they are made when the
 /// subject is another than the last one in its place, and kept.
-Picture ThumbnailCache::of_subject(const Place& place, Subject subject) {
+Picture ThumbnailCache::of_subject(const Place& place, Subject subject, const Material& of) {
     if (!images_) return {};
     const bool ball = std::holds_alternative<Material>(subject);
+    const auto worn = surfaces_.find(of.id);
+    UvSurfacePtr surface = worn == surfaces_.end() ? nullptr : worn->second;
+    if (ball) surface = ball_surface();
     if (keys_.size() > kMostKeys) keys_.clear();
     const auto [known, is_new] = keys_.try_emplace(place);
-    if (is_new || known->second.subject != subject) {
-        known->second.key = material_key(ball ? "ball" : "square", material_of(subject));
+    if (is_new || known->second.subject != subject || known->second.surface != surface) {
+        known->second.key = material_key(ball, material_of(subject), surface);
         known->second.subject = subject;
+        known->second.surface = surface;
     }
-    return find(known->second.key, [subject = std::move(subject), images = images_]() -> Made {
-        const Material shown = material_of(subject);
-        if (!std::holds_alternative<Material>(subject)) {
-            if (Result<Image> picture = base_color_picture(shown, *images))
-                return std::move(*picture);
+    return find(
+        known->second.key,
+        [subject = std::move(subject), surface = std::move(surface), images = images_]() -> Made {
+            const Material shown = material_of(subject);
+            if (!std::holds_alternative<Material>(subject)) {
+                if (Result<Image> picture = base_color_picture(shown, surface, *images))
+                    return std::move(*picture);
+                return {};
+            }
+            if (Result<render::SurfaceMaterial> made = small_surface(shown, *images))
+                return std::move(*made);
             return {};
-        }
-        if (Result<render::SurfaceMaterial> surface = small_surface(shown, *images))
-            return std::move(*surface);
-        return {};
-    });
+        });
 }
 
-Picture ThumbnailCache::layer(const Material&, const Layer& layer) {
-    return of_subject({PlaceKind::Layer, layer.id.value}, layer);
+Picture ThumbnailCache::layer(const Material& material, const Layer& layer) {
+    return of_subject({PlaceKind::Layer, layer.id.value}, layer, material);
 }
 
 Picture ThumbnailCache::mask(const Material& material, const Layer& layer) {
-    return of_subject({PlaceKind::Mask, layer.id.value}, mask_of(material, layer, layer.mask));
+    return of_subject({PlaceKind::Mask, layer.id.value}, mask_of(material, layer, layer.mask),
+                      material);
 }
 
 Picture ThumbnailCache::mask_entry(const Material& material, const Layer& layer,
                                    const MaskEntry& entry) {
     return of_subject({PlaceKind::MaskEntry, entry.id.value},
-                      mask_of(material, layer, only_entry(entry)));
+                      mask_of(material, layer, only_entry(entry)), material);
 }
 
-Picture ThumbnailCache::channel_source(const Material&, const Layer& layer, Channel channel) {
+Picture ThumbnailCache::channel_source(const Material& material, const Layer& layer,
+                                       Channel channel) {
     return of_subject({PlaceKind::Source, layer.id.value, channel},
-                      ChannelSource{at(layer.channels, channel).source, channel});
+                      ChannelSource{at(layer.channels, channel).source, channel}, material);
 }
 
 Picture ThumbnailCache::material(const Material& material) {
-    return of_subject({PlaceKind::Material, material.id.value}, material);
+    return of_subject({PlaceKind::Material, material.id.value}, material, material);
 }
 
 Picture ThumbnailCache::preset(const Preset& preset, const std::vector<KnobSetting>& knobs) {

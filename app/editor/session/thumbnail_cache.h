@@ -33,6 +33,10 @@ class ThumbnailCache final : public Thumbnails {
 
     /// Where the images of the document's layers come from. Null without a document.
     void set_images(std::shared_ptr<ImageProvider> images);
+    /// What layers of the materials read of the model.
+    void set_surfaces(std::map<MaterialId, UvSurfacePtr> surfaces) {
+        surfaces_ = std::move(surfaces);
+    }
     void set_presets(const std::vector<io::PresetFile>* presets) { presets_ = presets; }
     /// What an environment's name stands for.
     void set_environments(std::function<Result<EnvironmentSource>(const std::string&)> find) {
@@ -90,9 +94,10 @@ class ThumbnailCache final : public Thumbnails {
     };
     struct Known {
         Subject subject;
+        UvSurfacePtr surface;
         Hash128 key;
     };
-    Picture of_subject(const Place& place, Subject subject);
+    Picture of_subject(const Place& place, Subject subject, const Material& of);
     void run();
     Result<Image> ball_picture(const render::SurfaceMaterial& surface);
     void forget_unused();
@@ -101,6 +106,7 @@ class ThumbnailCache final : public Thumbnails {
     std::shared_ptr<ImageProvider> images_;
     const std::vector<io::PresetFile>* presets_ = nullptr;
     std::function<Result<EnvironmentSource>(const std::string&)> environments_;
+    std::map<MaterialId, UvSurfacePtr> surfaces_;
     std::map<Place, Known> keys_;
     std::unordered_map<Hash128, Entry, Hash128Hash> entries_;
     std::optional<Result<MaterialBall>> ball_;

@@ -18,6 +18,7 @@
 #undef SHARED_NORMAL_BLEND_GLSL
 #undef SHARED_PATTERN_GLSL
 #undef SHARED_PHONG_GLSL
+#undef SHARED_PROJECTION_GLSL
 #undef SHARED_RAMP_GLSL
 #undef SHARED_TONE_MAP_GLSL
 #undef SHARED_TRANSCENDENTAL_GLSL
@@ -38,6 +39,7 @@
 #include "shared/normal_blend.glsl"
 #include "shared/pattern.glsl"
 #include "shared/phong.glsl"
+#include "shared/projection.glsl"
 #include "shared/ramp.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/transcendental.glsl"

@@ -151,8 +151,8 @@ TEST(HeightBlend, SwitchedOffTheNumbersLeaveNoTrace) {
 
 TEST(HeightBlend, ExplainTellsTheShareAsPartOfTheMask) {
     ImageTable images;
-    const auto steps = explain_texel(stack_of({shared(bumps()), shared(sand(0.5f))}), images,
-                                     Channel::Metalness, kSize, 3, 5);
+    const auto steps = explain_texel(stack_of({shared(bumps()), shared(sand(0.5f))}), nullptr,
+                                     images, Channel::Metalness, kSize, 3, 5);
     ASSERT_TRUE(steps.has_value());
     ASSERT_EQ(steps->size(), 2u);
     EXPECT_GT(steps->back().mask, 0.0f);

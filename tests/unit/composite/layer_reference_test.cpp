@@ -175,7 +175,7 @@ TEST(LayerReference, ExplainListsTheLayersOfTheStackAlone) {
     ImageTable images;
     const Material material =
         stack_of({shared(rust()), shared(reading(LayerResult::Metalness, Channel::Metalness))});
-    const auto steps = explain_texel(material, images, Channel::Metalness, kSize, 3, 4);
+    const auto steps = explain_texel(material, nullptr, images, Channel::Metalness, kSize, 3, 4);
     ASSERT_TRUE(steps.has_value());
     ASSERT_EQ(steps->size(), 2u);
     EXPECT_EQ((*steps)[0].layer, LayerId{1});

@@ -125,7 +125,8 @@ RC_GTEST_PROP(Explain, EndsWithTheValueThatIsBaked, ()) {
                                   {BakedMap::OcclusionRoughnessMetalness})
                             .value();
     const int x = *rc::gen::inRange(0, size), y = *rc::gen::inRange(0, size);
-    const auto steps = explain_texel(material, random.images, Channel::Roughness, size, x, y);
+    const auto steps =
+        explain_texel(material, nullptr, random.images, Channel::Roughness, size, x, y);
     RC_ASSERT(steps.has_value());
     float expected = stack_bottom(Channel::Roughness).x;
     for (const ExplainStep& step : *steps)
@@ -137,7 +138,8 @@ RC_GTEST_PROP(Explain, EndsWithTheValueThatIsBaked, ()) {
 
 TEST(Explain, NamesEachLayerWithItsWeight) {
     ImageTable images;
-    const auto steps = explain_texel(two_layers(0.25f), images, Channel::Roughness, 64, 3, 5);
+    const auto steps =
+        explain_texel(two_layers(0.25f), nullptr, images, Channel::Roughness, 64, 3, 5);
     ASSERT_TRUE(steps.has_value());
     ASSERT_EQ(steps->size(), 2u);
     EXPECT_EQ((*steps)[0].layer, LayerId{1});
@@ -145,7 +147,8 @@ TEST(Explain, NamesEachLayerWithItsWeight) {
     EXPECT_EQ((*steps)[1].weight, 0.25f);
     EXPECT_NEAR((*steps)[1].result.x, (*steps)[0].result.x * 0.75f + (*steps)[1].source.x * 0.25f,
                 1e-6);
-    EXPECT_FALSE(explain_texel(two_layers(1), images, Channel::Roughness, 64, 64, 0).has_value());
+    EXPECT_FALSE(
+        explain_texel(two_layers(1), nullptr, images, Channel::Roughness, 64, 64, 0).has_value());
 }
 
 }  // namespace

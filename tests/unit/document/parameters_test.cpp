@@ -91,6 +91,9 @@ TEST(Parameters, StandardsAreThoseOfNewValues) {
     EXPECT_EQ(standard(Parameter::ReliefKindChoice), static_cast<double>(relief.kind));
     EXPECT_EQ(standard(Parameter::ReliefRadius), relief.radius_permille);
     EXPECT_EQ(standard(Parameter::ReliefStrength), relief.strength);
+    const Projection projection;
+    EXPECT_EQ(standard(Parameter::ProjectionAxisChoice), static_cast<double>(projection.axis));
+    EXPECT_FLOAT_EQ(static_cast<float>(standard(Parameter::ProjectionBlend)), projection.blend);
     const AdjustmentSettings adjustment;
     EXPECT_EQ(standard(Parameter::AdjustmentRadius), adjustment.radius_permille);
     EXPECT_EQ(standard(Parameter::AdjustmentAmount), adjustment.amount);
@@ -144,13 +147,21 @@ TEST(Parameters, TheSchemaStatesTheSameRangesStandardsAndChoices) {
         read_text_file(std::filesystem::path(PATINA_SOURCE_DIR) / "presets/schema.json").value());
     const json& defs = schema["$defs"];
     const std::map<Subject, std::string> places = {
-        {Subject::Layer, "/fill"},          {Subject::Channel, "/color-channel"},
-        {Subject::Image, "/image"},         {Subject::UvTransform, "/transform"},
-        {Subject::Mask, "/mask"},           {Subject::Procedural, "/procedural-scalar"},
-        {Subject::Levels, "/levels"},       {Subject::MaskEntry, "/mask-entry"},
-        {Subject::Light, "/light"},         {Subject::HeightBlend, "/height-blend"},
-        {Subject::Relief, "/relief"},       {Subject::Adjustment, "/adjustment"},
+        {Subject::Layer, "/fill"},
+        {Subject::Channel, "/color-channel"},
+        {Subject::Image, "/image"},
+        {Subject::UvTransform, "/transform"},
+        {Subject::Mask, "/mask"},
+        {Subject::Procedural, "/procedural-scalar"},
+        {Subject::Levels, "/levels"},
+        {Subject::MaskEntry, "/mask-entry"},
+        {Subject::Light, "/light"},
+        {Subject::HeightBlend, "/height-blend"},
+        {Subject::Relief, "/relief"},
+        {Subject::Adjustment, "/adjustment"},
         {Subject::Reference, "/reference"},
+        {Subject::Geometry, "/geometry"},
+        {Subject::Projection, "/projection"},
     };
     int compared = 0;
     for (const ParameterInfo& row : parameters()) {

@@ -68,6 +68,7 @@ TEST(Record, AStackReadBackIntoItsMaterialGivesTheSameDocument) {
             copy.stack = read->stack;
             copy.height_scale = read->height_scale;
             copy.uv_set = read->uv_set;
+            copy.padding = read->padding;
             material = std::make_shared<const Material>(copy);
         }
         RC_ASSERT(serialise(document) == before);

@@ -142,7 +142,9 @@ struct Target {
 using EditOf = std::function<Edit(const Target&)>;
 
 Source some_source(const Target& t) {
-    switch (t.choices.below(5)) {
+    switch (t.choices.below(6)) {
+        case 5:
+            return GeometrySource{.meshes = {"Helmet, 1"}, .materials = {t.name()}};
         case 0:
             return ConstantSource{t.color()};
         case 4:
@@ -324,6 +326,17 @@ const std::vector<EditOf>& edits_of_sources() {
         [](const Target& t) { return set_image_alpha_is_coverage(t.source(), t.choices.coin()); },
         [](const Target& t) { return set_image_uv_set(t.source(), t.choices.below(4) - 1); },
         [](const Target& t) {
+            return set_projection(t.source(),
+                                  {.kind = static_cast<ProjectionKind>(t.choices.below(3)),
+                                   .axis = static_cast<ProjectionAxis>(t.choices.below(3)),
+                                   .blend = t.choices.number(-0.1f, 1)},
+                                  Parameter::ProjectionBlend);
+        },
+        [](const Target& t) {
+            return set_geometry(t.source(), {.meshes = {t.name(), "Helmet"}, .materials = {}},
+                                Parameter::GeometryMeshes);
+        },
+        [](const Target& t) {
             return set_image_wrap(t.source(), static_cast<Wrap>(t.choices.below(3)),
                                   static_cast<Wrap>(t.choices.below(3)));
         },
@@ -395,6 +408,9 @@ const std::vector<EditOf>& edits_of_materials() {
         [](const Target& t) { return set_material_uv_set(*t.material, t.choices.below(4) - 1); },
         [](const Target& t) {
             return set_material_height_scale(*t.material, t.choices.number(0, 1));
+        },
+        [](const Target& t) {
+            return set_material_padding(*t.material, static_cast<Padding>(t.choices.below(3)));
         },
         [](const Target& t) {
             return set_material_alpha_mode(*t.material, static_cast<AlphaMode>(t.choices.below(3)));

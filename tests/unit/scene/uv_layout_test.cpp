@@ -7,23 +7,13 @@
 #include <limits>
 #include <random>
 
+#include "scene/small_surface.h"
+
 namespace patina {
 namespace {
 
-/// A scene of one primitive with these UVs, three a triangle.
-Scene scene_of(const std::vector<glm::vec2>& uvs, int material = 0) {
-    Primitive primitive;
-    primitive.source_material = material;
-    primitive.uvs[0] = uvs;
-    for (std::uint32_t i = 0; i < uvs.size(); ++i) primitive.indices.push_back(i);
-    Scene scene;
-    scene.meshes = {Mesh{.name = "mesh", .primitives = {primitive}}};
-    return scene;
-}
-
-/// Two triangles.
-std::vector<glm::vec2> quad(const glm::vec2& low, const glm::vec2& high) {
-    return {low, {high.x, low.y}, high, low, high, {low.x, high.y}};
+UvSurfacePtr laid_out(const std::vector<glm::vec2>& uvs, int uv_set = 0) {
+    return surface_of({FlatPart{.uvs = uvs}}, uv_set);
 }
 
 std::vector<glm::vec2> joined(std::vector<glm::vec2> a, const std::vector<glm::vec2>& b) {
@@ -32,7 +22,7 @@ std::vector<glm::vec2> joined(std::vector<glm::vec2> a, const std::vector<glm::v
 }
 
 TEST(UvLayout, AQuadOverTheWholeTextureUsesItOnce) {
-    const UvLayout layout = uv_layout(scene_of(quad({0, 0}, {1, 1})), 0, 0, 64);
+    const UvLayout layout = uv_layout(*laid_out(uv_quad({0, 0}, {1, 1})), 64);
     EXPECT_EQ(layout.used, 1.0);
     EXPECT_EQ(layout.overlapped, 0.0);
     EXPECT_TRUE(layout.within_a_tile());
@@ -40,15 +30,15 @@ TEST(UvLayout, AQuadOverTheWholeTextureUsesItOnce) {
 }
 
 TEST(UvLayout, WhatTwoQuadsShareIsOverlappedBeItMirroredOrATileAway) {
-    const auto own = quad({0.0f, 0.0f}, {0.5f, 1.0f});
+    const auto own = uv_quad({0.0f, 0.0f}, {0.5f, 1.0f});
     for (const auto& other :
-         {quad({0.25f, 0.0f}, {0.75f, 1.0f}), quad({0.75f, 1.0f}, {0.25f, 0.0f}),
-          quad({0.75f, 0.0f}, {0.25f, 1.0f}), quad({-2.75f, 3.0f}, {-2.25f, 4.0f})}) {
-        const UvLayout layout = uv_layout(scene_of(joined(own, other)), 0, 0, 64);
+         {uv_quad({0.25f, 0.0f}, {0.75f, 1.0f}), uv_quad({0.75f, 1.0f}, {0.25f, 0.0f}),
+          uv_quad({0.75f, 0.0f}, {0.25f, 1.0f}), uv_quad({-2.75f, 3.0f}, {-2.25f, 4.0f})}) {
+        const UvLayout layout = uv_layout(*laid_out(joined(own, other)), 64);
         EXPECT_EQ(layout.used, 0.75);
         EXPECT_NEAR(layout.overlapped, 1.0 / 3.0, 1e-12);
     }
-    EXPECT_FALSE(uv_layout(scene_of(quad({-2.75f, 3.0f}, {-2.25f, 4.0f})), 0, 0).within_a_tile());
+    EXPECT_FALSE(uv_layout(*laid_out(uv_quad({-2.75f, 3.0f}, {-2.25f, 4.0f}))).within_a_tile());
 }
 
 /// A net over the square, its knots moved at random.
@@ -72,24 +62,32 @@ TEST(UvLayout, TrianglesThatShareEdgesShareNoTexel) {
                 const glm::vec2 c = knots[y + 1][x + 1], d = knots[y + 1][x];
                 uvs.insert(uvs.end(), {a, b, c, d, a, c});
             }
-        for (const std::uint8_t count : uv_coverage(scene_of(uvs), 0, 0, 97).counts)
-            ASSERT_EQ(count, 1);
+        for (const std::uint8_t count : uv_coverage(*laid_out(uvs), 97).counts) ASSERT_EQ(count, 1);
     }
 }
 
-TEST(UvLayout, OtherMaterialsAndTrianglesWithoutUvsDoNotCount) {
-    EXPECT_EQ(uv_layout(scene_of(quad({0, 0}, {1, 1}), 3), 0, 0, 16).triangles, 0u);
+TEST(UvLayout, TrianglesWithoutUvsAreCountedApart) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const UvLayout broken = uv_layout(scene_of({{0, 0}, {1, 0}, {nan, 1}}), 0, 0, 16);
+    const UvLayout broken = uv_layout(*laid_out({{0, 0}, {1, 0}, {nan, 1}}), 16);
     EXPECT_EQ(broken.without_uvs, 1u);
     EXPECT_EQ(broken.used, 0.0);
-    EXPECT_EQ(uv_layout(scene_of(quad({0, 0}, {1, 1})), 0, 1, 16).without_uvs, 2u);
+    EXPECT_EQ(uv_layout(*laid_out(uv_quad({0, 0}, {1, 1}), 1), 16).without_uvs, 2u);
 }
 
 TEST(UvLayout, WhatReachesOverManyTilesCoversAllOfThemSeveralTimes) {
-    const UvLayout layout = uv_layout(scene_of(quad({0, 0}, {40, 30})), 0, 0, 16);
+    const UvLayout layout = uv_layout(*laid_out(uv_quad({0, 0}, {40, 30})), 16);
     EXPECT_EQ(layout.used, 1.0);
     EXPECT_EQ(layout.overlapped, 1.0);
+}
+
+TEST(UvLayout, SoManyLargeTrianglesThatItWouldTakeMinutesAreOnlyCounted) {
+    std::vector<glm::vec2> uvs;
+    for (int i = 0; i < 20000; ++i) uvs = joined(std::move(uvs), uv_quad({-3, -3}, {4, 4}));
+    const UvLayout layout = uv_layout(*laid_out(uvs));
+    EXPECT_FALSE(layout.measured);
+    EXPECT_EQ(layout.triangles, 40000u);
+    EXPECT_EQ(layout.high, glm::vec2(4.0f));
+    EXPECT_EQ(laid_out(uvs)->map(1024), nullptr);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "shared/normal_blend.glsl"
 #include "shared/pattern.glsl"
 #include "shared/phong.glsl"
+#include "shared/projection.glsl"
 #include "shared/ramp.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/transcendental.glsl"
@@ -312,6 +313,18 @@ Real4 probe_ambient(int which, Real4 a, Real4 b) {
                  diffuse.entering, diffuse.grazing);
 }
 
+Real4 probe_projection(Real4 a, Real4 b) {
+    Real side = select(b.w < 0.5f, Real(-1.0f), Real(1.0f));
+    Real3 weights = projection_weights(probe_normal(a), 0.4f);
+    Real3 position = Real3(b.x, b.y, b.z);
+    Real2 place = projected_place(0, position, side) + projected_place(1, position, side) * 2.0f +
+                  projected_place(2, position, side) * 4.0f;
+    Real3 normal = probe_normal(b);
+    Real3 lean = projected_lean(0, normal, side) + projected_lean(1, normal, side) * 2.0f +
+                 projected_lean(2, normal, side) * 4.0f;
+    return Real4(weights.x + 2.0f * weights.y, place.x, place.y, lean.x + 8.0f * (lean.y + lean.z));
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -328,6 +341,7 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which == 50) return probe_relief(a, b);
     if (which < 55) return probe_area_light(which - 51, a, b);
     if (which < 57) return probe_ambient(which - 55, a, b);
+    if (which == 57) return probe_projection(a, b);
     return Real4(-1.0f);
 }
 

@@ -75,6 +75,7 @@ inline constexpr Probe kProbes[] = {
     {"sphere_nearest, rectangle_nearest", 1e-4f},
     {"mirrored_share, horizon_share, diffuse_sample", 1e-4f},
     {"split_sum_sample of other terms", 3e-4f},
+    {"projection_weights, projected_place, projected_lean", 1e-5f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 

@@ -9,6 +9,7 @@
 #include "editor/panels/layer/parts.h"
 #include "editor/panels/levels_fields.h"
 #include "editor/panels/source_editor.h"
+#include "editor/panels/surface_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/popup_menu.h"
 #include "editor/widgets/slider.h"
@@ -20,6 +21,7 @@ std::string kind_of(const Source& source) {
     if (std::holds_alternative<ImageSource>(source)) return "Image";
     if (std::holds_alternative<ReliefSource>(source)) return "Relief";
     if (std::holds_alternative<ReferenceSource>(source)) return "Layer";
+    if (std::holds_alternative<GeometrySource>(source)) return "Parts";
     return std::holds_alternative<ProceduralSource>(source) ? "Procedural" : "Value";
 }
 
@@ -144,6 +146,10 @@ Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
                               .source = ReferenceSource{.layer = others.front()->id}};
         requests.edit(add_mask_entry(subject.material, subject.layer, entry));
     }
+    const auto parts = worn_parts(*subject.shown.document, subject.material.id);
+    if (!parts.empty() && menu.item({.icon = icon::kGrid, .label = "Parts of the model"}))
+        requests.edit(
+            add_mask_entry(subject.material, subject.layer, geometry_mask_entry(parts.front())));
     if (menu.item({.icon = icon::kImage, .label = "Image\u2026"}))
         requests.ask(ChooseImageFor{subject.layer.id, std::monostate{}});
     if (menu.item({.icon = icon::kDroplet, .label = "Value"}))
