@@ -69,15 +69,17 @@ void print(const BakeReport& baked) {
                report.bytes, report.materials_written, report.maps_baked);
     for (const auto& file : baked.map_files) fmt::print("{}\n", file.string());
     for (const auto& [name, layout] : baked.uvs)
-        if (layout.overlapped > 0.0)
+        if (layout.overlapped > 0.0 || !layout.measured)
             fmt::print("UVs of {}: {}\n", quoted_for_message(name), uv_layout_words(layout));
 }
 
 Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
     auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
-    const auto saved = io::save_document(*loaded->document, *loaded->images, options.output,
-                                         options.save, progress);
+    io::SaveOptions save = options.save;
+    save.keep_maps = !options.maps_folder.empty();
+    const auto saved =
+        io::save_document(*loaded->document, *loaded->images, options.output, save, progress);
     if (!saved) return passed_on(saved);
     BakeReport report{.saved = *saved, .map_files = {}, .uvs = {}};
     const bool reported = options.work.json || !options.work.quiet;
@@ -87,9 +89,11 @@ Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
     if (options.maps_folder.empty()) return report;
     io::MapExportOptions maps = options.maps;
     maps.size = options.save.size;
+    maps.baked = &saved->maps;
     auto files =
         io::export_maps(*loaded->document, *loaded->images, options.maps_folder, maps, progress);
     if (!files) return passed_on(files);
+    report.saved.maps.clear();
     report.map_files = std::move(*files);
     return report;
 }

@@ -6,9 +6,11 @@
 #include <set>
 
 #include "composite/bake_channels.h"
+#include "composite/dilate.h"
 #include "composite/operations.h"
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
+#include "io/packed_bytes.h"
 #include "io/safe_name.h"
 
 namespace patina::io {
@@ -117,52 +119,117 @@ std::vector<PackedMap> maps_to_write(const MapExportOptions& options) {
 
 class Exporter {
   public:
-    Exporter(ImageProvider& images, const std::filesystem::path& folder,
+    Exporter(const Document& document, ImageProvider& images, const std::filesystem::path& folder,
              const MapExportOptions& options, const Progress& progress)
-        : images_(images), folder_(folder), options_(options), progress_(progress) {}
+        : document_(document),
+          images_(images),
+          folder_(folder),
+          options_(options),
+          progress_(progress) {}
 
     Status write_material(const Material& material) {
-        const Program program = Program::compile(material);
-        const int size = options_.size.value_or(material.resolution);
-        for (const std::vector<PackedMap>& maps : baked_together(program, size)) {
-            const auto planes = bake_channels(program, images_, size, channels_of(maps), progress_);
-            if (!planes)
-                return failure("material \"{}\": {}", quoted_for_message(material.name, 60),
-                               planes.error().message);
-            for (const PackedMap& map : maps)
-                if (const Status written = write_map(material, map, *planes); !written)
-                    return failure("material \"{}\": {}", quoted_for_message(material.name, 60),
-                                   written.error().message);
-        }
+        const Status written = write_maps(material);
+        if (!written)
+            return failure("material \"{}\": {}", quoted_for_message(material.name, 60),
+                           written.error().message);
+        for (auto& [place, path] : written_) files_.push_back(std::move(path));
+        written_.clear();
         return {};
     }
     std::vector<std::filesystem::path> take_files() { return std::move(files_); }
 
   private:
-    /// The maps in which something varies, in groups whose channels fit into memory together: what
-    /// they share is computed once.
-    std::vector<std::vector<PackedMap>> baked_together(const Program& program, int size) const {
-        std::vector<std::vector<PackedMap>> groups;
+    /// A map in which something varies, and its place among the files of its material.
+    struct Wanted {
+        std::size_t place;
+        PackedMap map;
+    };
+
+    Status write_maps(const Material& material) {
+        const Program program = Program::compile(document_, material);
+        const int size = options_.size.value_or(material.resolution);
+        std::vector<Wanted> to_bake;
+        for (Wanted& wanted : varying_maps(program)) {
+            const Result<bool> written = write_baked(material, wanted, size);
+            if (!written) return passed_on(written);
+            if (!*written) to_bake.push_back(std::move(wanted));
+        }
+        const UvSurfacePtr islands = dilated_by(document_, material, program);
+        for (const std::vector<Wanted>& group : baked_together(std::move(to_bake), size)) {
+            auto planes =
+                bake_channels(program, images_, size, channels_of(maps_of(group)), progress_);
+            if (!planes) return passed_on(planes);
+            if (islands != nullptr) dilate(*islands, *planes);
+            for (const Wanted& wanted : group)
+                if (const Status written = write_map(material, wanted, *planes); !written)
+                    return written;
+        }
+        return {};
+    }
+
+    std::vector<Wanted> varying_maps(const Program& program) const {
+        std::vector<Wanted> wanted;
         for (const PackedMap& map : maps_to_write(options_)) {
             const std::vector<Channel> channels = channels_of({map});
-            if (std::none_of(channels.begin(), channels.end(),
-                             [&](Channel channel) { return varies(program, channel); }))
-                continue;
+            if (std::any_of(channels.begin(), channels.end(),
+                            [&](Channel channel) { return varies(program, channel); }))
+                wanted.push_back({wanted.size(), map});
+        }
+        return wanted;
+    }
+
+    static std::vector<PackedMap> maps_of(const std::vector<Wanted>& group) {
+        std::vector<PackedMap> maps;
+        for (const Wanted& wanted : group) maps.push_back(wanted.map);
+        return maps;
+    }
+
+    /// In groups whose channels fit into memory together: what they share is computed once.
+    std::vector<std::vector<Wanted>> baked_together(std::vector<Wanted> maps, int size) const {
+        std::vector<std::vector<Wanted>> groups;
+        for (Wanted& map : maps) {
             if (!groups.empty()) {
                 groups.back().push_back(map);
-                if (bytes_of(channels_of(groups.back()), size) <= kBytesTogether) continue;
+                if (bytes_of(channels_of(maps_of(groups.back())), size) <= kBytesTogether) continue;
                 groups.back().pop_back();
             }
-            groups.push_back({map});
+            groups.push_back({std::move(map)});
         }
         return groups;
     }
 
-    Status write_map(const Material& material, const PackedMap& map, const ChannelPlanes& planes) {
-        // All of it 1 says nothing, in a file of its own too.
-        if (map.channels == 1 && map.values[0].channel == Channel::Opacity &&
-            is_one_everywhere(planes.plane(Channel::Opacity)))
-            return {};
+    /// Writes what a save has baked already. Returns whether it had.
+    Result<bool> write_baked(const Material& material, const Wanted& wanted, int size) {
+        if (options_.baked == nullptr || keeps_floats(options_) || bits_of(options_) != 8)
+            return false;
+        const auto baked = options_.baked->find(material.id);
+        if (baked == options_.baked->end()) return false;
+        if (options_.format == ImageFormat::Png)
+            if (const auto file = same_file(wanted.map, baked->second, size)) {
+                if (const Status done = write_file(material, wanted, *file->png); !done)
+                    return passed_on(done);
+                return true;
+            }
+        const auto image = packed_bytes(wanted.map, baked->second, size);
+        if (!image) return false;
+        if (is_opacity_alone(wanted.map) &&
+            std::all_of(image->data.begin(), image->data.end(),
+                        [](std::byte value) { return value == std::byte{255}; }))
+            return true;
+        const auto bytes = encode_image(*image, options_.format, progress_);
+        if (!bytes) return passed_on(bytes);
+        if (const Status done = write_file(material, wanted, *bytes); !done) return passed_on(done);
+        return true;
+    }
+
+    /// All of it 1 says nothing, in a file of its own too.
+    static bool is_opacity_alone(const PackedMap& map) {
+        return map.channels == 1 && map.values[0].channel == Channel::Opacity;
+    }
+
+    Status write_map(const Material& material, const Wanted& wanted, const ChannelPlanes& planes) {
+        const PackedMap& map = wanted.map;
+        if (is_opacity_alone(map) && is_one_everywhere(planes.plane(Channel::Opacity))) return {};
         const SampleType type = keeps_floats(options_)    ? SampleType::F32
                                 : bits_of(options_) == 16 ? SampleType::U16
                                                           : SampleType::U8;
@@ -171,10 +238,14 @@ class Exporter {
         const auto bytes =
             half ? encode_half_exr(image) : encode_image(image, options_.format, progress_);
         if (!bytes) return passed_on(bytes);
+        return write_file(material, wanted, *bytes);
+    }
+
+    Status write_file(const Material& material, const Wanted& wanted, const Bytes& bytes) {
         const auto path =
-            unused_path(fmt::format("{}_{}", safe_file_name(material.name, 60), map.id));
-        if (const Status written = write_file_atomically(path, *bytes); !written) return written;
-        files_.push_back(path);
+            unused_path(fmt::format("{}_{}", safe_file_name(material.name, 60), wanted.map.id));
+        if (const Status written = write_file_atomically(path, bytes); !written) return written;
+        written_.emplace(wanted.place, path);
         return {};
     }
 
@@ -187,12 +258,14 @@ class Exporter {
         return folder_ / fmt::format("{}.{}", unused, extension);
     }
 
+    const Document& document_;
     ImageProvider& images_;
     const std::filesystem::path& folder_;
     const MapExportOptions& options_;
     const Progress& progress_;
     std::set<std::string> names_;
     std::vector<std::filesystem::path> files_;
+    std::map<std::size_t, std::filesystem::path> written_;  ///< of the material at hand
 };
 
 }  // namespace
@@ -226,7 +299,7 @@ Result<std::vector<std::filesystem::path>> export_maps(const Document& document,
     if (error)
         return failure("{}: cannot make the folder: {}", quoted_for_message(folder.string()),
                        error.message());
-    Exporter exporter(images, folder, options, progress);
+    Exporter exporter(document, images, folder, options, progress);
     for (std::size_t i = 0; i < document.materials.size(); ++i) {
         const Material& material = *document.materials[i];
         progress.set_stage(fmt::format("Maps of {}", quoted_for_message(material.name, 60)));

@@ -4,6 +4,7 @@
 /// The maps of a document as image files, for programs that do not read them from glTF.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "composite/image_provider.h"
 #include "core/progress.h"
 #include "document/document.h"
+#include "io/baked_files.h"
 #include "io/image_file.h"
 #include "io/map_packing.h"
 
@@ -22,6 +24,8 @@ struct MapExportOptions {
     std::optional<int> bits = std::nullopt;
     const MapPacking* packing = &default_packing();
     std::optional<int> size = std::nullopt;  ///< overrides the materials' resolution
+    /// What a save has baked (SaveReport::maps) and need not be baked again; null for nothing.
+    const std::map<MaterialId, EncodedMaps>* baked = nullptr;
 };
 
 /// Whether the format holds that many bits, and the packing in them; the failure says what does.

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <set>
 
+#include "document/worn_surface.h"
 #include "io/container_change.h"
 #include "io/file_set.h"
 #include "io/glb_write.h"
@@ -36,6 +37,13 @@ struct EditedMaterial {
     MaterialPtr before;  ///< null: nothing of it is in the file
 };
 
+/// Whether layers of the material read another model than when the file was opened: parts were
+/// given to it, or taken from it.
+bool reads_other_parts(const Document& document, const Material& now, const Material& before) {
+    if (document.assigned == document.opened->assigned || !reads_surface(now)) return false;
+    return worn_surface(document, now)->hash() != worn_surface(*document.opened, before)->hash();
+}
+
 /// `without_uvs`: written even if they themselves are as they were.
 std::vector<EditedMaterial> edited_materials(const Document& document,
                                              const std::set<MaterialId>& without_uvs) {
@@ -45,6 +53,10 @@ std::vector<EditedMaterial> edited_materials(const Document& document,
             document.opened ? find_material(*document.opened, now->id) : nullptr;
         const bool is_unchanged =
             before && (now == before || same_content(document, *now, *document.opened, *before));
+        if (is_unchanged && reads_other_parts(document, *now, *before)) {
+            edited.push_back({now, before});
+            continue;
+        }
         if (is_unchanged && !without_uvs.contains(now->id)) continue;
         edited.push_back({now, before});
     }
@@ -145,6 +157,7 @@ class Saver {
             progress_.report(static_cast<float>(i) / static_cast<float>(edited.size()));
             const auto maps = save_material(save, *edited[i].now, edited[i].before.get());
             if (!maps) return failure("{}: {}", shown(path_), maps.error().message);
+            if (options_.keep_maps) report_.maps.emplace(edited[i].now->id, *maps);
             ++report_.materials_written;
             report_.maps_baked += static_cast<int>(std::count_if(
                 maps->begin(), maps->end(), [](const auto& map) { return map != nullptr; }));

@@ -5,6 +5,7 @@
 /// what was edited replaced. Nothing else moves by a byte.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/progress.h"
 #include "core/result.h"
 #include "document/document.h"
+#include "io/baked_files.h"
 
 namespace patina::io {
 
@@ -20,6 +22,8 @@ struct SaveOptions {
     std::optional<int> size = std::nullopt;
     /// Keeps the file that was there as `path` with a "~" behind it (the editor: once a session).
     bool keep_previous = false;
+    /// Hands back the maps that were baked.
+    bool keep_maps = false;
 };
 
 struct SaveReport {
@@ -27,7 +31,8 @@ struct SaveReport {
     int materials_written = 0;  ///< whose span in the JSON changed
     int maps_baked = 0;
     std::uint64_t bytes = 0;
-    std::vector<std::string> warnings;  ///< one line each
+    std::vector<std::string> warnings;       ///< one line each
+    std::map<MaterialId, EncodedMaps> maps;  ///< those that were baked, if they are kept
 };
 
 /// Saves as .gltf or .glb by the extension of `path`, all or nothing. A document equal to its

@@ -6,6 +6,7 @@
 
 #include "composite/composite.h"
 #include "io/image_store.h"
+#include "io/save.h"
 #include "save_fixture.h"
 
 namespace patina::io {
@@ -64,6 +65,25 @@ TEST_F(MapExport, OfEightBitsIsTheBakeOfTheFile) {
                 ASSERT_EQ(file.data[3 * texel + c], map.data[4 * texel + c])
                     << files[i] << " texel " << texel;
     }
+}
+
+TEST_F(MapExport, OfWhatASaveHasBakedIsWhatItWouldBakeItself) {
+    const SaveReport saved =
+        save_document(document_, *base_.images, folder_ / "kept.glb", {.keep_maps = true}).value();
+    ASSERT_EQ(saved.maps.size(), 1u);
+    for (const MapPacking& packing : map_packings())
+        for (const ImageFormat format : {ImageFormat::Png, ImageFormat::Tiff}) {
+            MapExportOptions options{.format = format, .packing = &packing};
+            const auto anew = exported(options);
+            options.baked = &saved.maps;
+            const auto reused = exported(options);
+            ASSERT_EQ(names_of(reused), names_of(anew)) << packing.id;
+            for (std::size_t i = 0; i < anew.size(); ++i) {
+                const Image a = decoded(anew[i]), b = decoded(reused[i]);
+                ASSERT_EQ(a.channels, b.channels) << packing.id;
+                ASSERT_EQ(a.data, b.data) << packing.id << " " << anew[i];
+            }
+        }
 }
 
 TEST_F(MapExport, OfSixteenBitsIsWithinOneStepOfTheEightBitOne) {

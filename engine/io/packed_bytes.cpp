@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "io/packed_bytes.h"
+
+#include "core/parallel.h"
+
+namespace patina::io {
+namespace {
+
+/// Where a channel lies in the baked maps.
+struct BakedPlace {
+    BakedMap map;
+    int component;
+};
+
+std::optional<BakedPlace> place_of(Channel channel, int component) {
+    switch (channel) {
+        case Channel::BaseColor:
+            return BakedPlace{BakedMap::BaseColor, component};
+        case Channel::Opacity:
+            return BakedPlace{BakedMap::BaseColor, 3};
+        case Channel::Occlusion:
+            return BakedPlace{BakedMap::OcclusionRoughnessMetalness, 0};
+        case Channel::Roughness:
+            return BakedPlace{BakedMap::OcclusionRoughnessMetalness, 1};
+        case Channel::Metalness:
+            return BakedPlace{BakedMap::OcclusionRoughnessMetalness, 2};
+        case Channel::Normal:
+            return BakedPlace{BakedMap::Normal, component};
+        case Channel::Emissive:
+            return BakedPlace{BakedMap::Emissive, component};
+        case Channel::Height:
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// One channel of a file: bytes of an image, or `constant`.
+struct Plane {
+    const Image* image = nullptr;
+    int component = 0;
+    bool invert = false;
+    std::byte constant = std::byte{255};
+};
+
+std::optional<Plane> plane_of(const PackedMap& map, int c, const EncodedMaps& baked, int size) {
+    const PackedValue& value = map.values[static_cast<std::size_t>(c)];
+    if (!value.channel)
+        return Plane{.constant =
+                         static_cast<std::byte>(static_cast<int>(value.constant * 255.0f + 0.5f))};
+    // The bytes of colours are sRGB-encoded; by itself a component of one is a plain number.
+    const bool color = info(*value.channel).kind == ChannelKind::Color;
+    if (color && !(map.is_color() && c < 3)) return std::nullopt;
+    const auto place = place_of(*value.channel, value.component);
+    if (!place) return std::nullopt;
+    const auto& file = baked[static_cast<std::size_t>(place->map)];
+    if (!file || file->image->width != size || file->image->type != SampleType::U8)
+        return std::nullopt;
+    // An alpha channel that is opaque everywhere was left out.
+    if (place->component >= file->image->channels)
+        return Plane{.constant = value.invert ? std::byte{0} : std::byte{255}};
+    return Plane{.image = file->image.get(), .component = place->component, .invert = value.invert};
+}
+
+}  // namespace
+
+std::shared_ptr<const EncodedMap> same_file(const PackedMap& map, const EncodedMaps& baked,
+                                            int size) {
+    for (const auto& file : baked) {
+        if (!file) continue;
+        bool same = map.channels >= file->image->channels;
+        for (int c = 0; c < map.channels && same; ++c) {
+            const auto plane = plane_of(map, c, baked, size);
+            const bool left_out =
+                c >= file->image->channels && plane && map.has_opacity() && plane->image == nullptr;
+            same = left_out || (plane && plane->image == file->image.get() &&
+                                plane->component == c && !plane->invert);
+        }
+        if (same) return file;
+    }
+    return nullptr;
+}
+
+std::optional<Image> packed_bytes(const PackedMap& map, const EncodedMaps& baked, int size) {
+    std::array<Plane, 4> planes;
+    for (int c = 0; c < map.channels; ++c) {
+        const auto plane = plane_of(map, c, baked, size);
+        if (!plane) return std::nullopt;
+        planes[static_cast<std::size_t>(c)] = *plane;
+    }
+    const bool drops_opacity = map.has_opacity() && planes[3].image == nullptr;
+    Image image{.width = size, .height = size, .channels = drops_opacity ? 3 : map.channels};
+    image.data.resize(image.row_bytes() * static_cast<std::size_t>(size));
+    const auto channels = static_cast<std::size_t>(image.channels);
+    parallel_for(0, std::int64_t{size} * size, 1 << 16, [&](std::int64_t first, std::int64_t last) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            const Plane& plane = planes[c];
+            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last);
+                 ++i) {
+                std::byte byte = plane.constant;
+                if (plane.image != nullptr)
+                    byte = plane.image->data[i * static_cast<std::size_t>(plane.image->channels) +
+                                             static_cast<std::size_t>(plane.component)];
+                if (plane.image != nullptr && plane.invert) byte = ~byte;
+                image.data[i * channels + c] = byte;
+            }
+        }
+    });
+    return image;
+}
+
+}  // namespace patina::io
