@@ -42,16 +42,17 @@ Json light_to_json(const Light& light) {
                  {"position", json_of(light.position_world)},
                  {"direction", json_of(light.direction_world)},
                  {"range", json_of(light.range)}};
-    if (light.kind == Light::Kind::Spot) {
-        json["inner-cone"] = json_of(light.inner_cone_radians);
-        json["outer-cone"] = json_of(light.outer_cone_radians);
-    } else if (light.kind == Light::Kind::Sphere) {
-        json["radius"] = json_of(light.radius_m);
-    } else if (light.kind == Light::Kind::Rectangle) {
-        json["width"] = json_of(light.width_m);
-        json["height"] = json_of(light.height_m);
-        json["turn"] = json_of(light.turn_radians);
-    }
+    // What the kind goes by, and what another kind that it was goes by.
+    const auto add = [&](std::string_view key, float Light::*member, Light::Kind of) {
+        if (light.kind == of || light.*member != Light{}.*member)
+            json[std::string(key)] = json_of(light.*member);
+    };
+    add("inner-cone", &Light::inner_cone_radians, Light::Kind::Spot);
+    add("outer-cone", &Light::outer_cone_radians, Light::Kind::Spot);
+    add("radius", &Light::radius_m, Light::Kind::Sphere);
+    add("width", &Light::width_m, Light::Kind::Rectangle);
+    add("height", &Light::height_m, Light::Kind::Rectangle);
+    add("turn", &Light::turn_radians, Light::Kind::Rectangle);
     return json;
 }
 
