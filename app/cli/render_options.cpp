@@ -248,7 +248,7 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
                      "Hold mirrored light back by the occlusion map as much as diffuse light, and "
                      "mirror what lies below the surface");
     command.add_flag("!--no-shadows", view.shadows,
-                     "Let suns of the environment, directional lights and the light of the "
+                     "Let suns of the environment, the strongest lamps and the light of the "
                      "traditional models cast none");
 }
 

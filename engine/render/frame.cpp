@@ -184,7 +184,9 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
                   const FrameTarget& target) {
     state.timers.begin_frame();
     state.drawn_view = view;
-    if (Status lit = ready_lights(state, view); !lit) return lit;
+    std::optional<LampPoint> point;
+    if (target.still) point = lamp_point(target.still->index);
+    if (Status lit = ready_lights(state, view, point); !lit) return lit;
     const glm::ivec2 gbuffer_size = side_area(view, size, FrameSide::Left).gbuffer_size;
     FrameCamera camera =
         frame_camera(view, state.scene->bounds_world, gbuffer_size, target.jitter_pixels);

@@ -20,9 +20,9 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
 
 }  // namespace
 
-Status ready_lights(RendererState& state, const View& view) {
+Status ready_lights(RendererState& state, const View& view, const std::optional<LampPoint>& point) {
     state.lights.set(view.lights);
-    return draw_shadow_maps(state, view);
+    return draw_shadow_maps(state, view, point);
 }
 
 glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment) {

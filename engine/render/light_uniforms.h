@@ -5,6 +5,7 @@
 
 #include "gl/program.h"
 #include "render/gpu_environment.h"
+#include "render/shadow_plan.h"
 #include "render/view.h"
 
 namespace patina::render {
@@ -12,7 +13,9 @@ namespace patina::render {
 struct RendererState;
 
 /// Makes lamps and shadows of the renderer those of a view. Before the passes of a frame.
-Status ready_lights(RendererState& state, const View& view);
+/// @param point  set in draws that sample lamps: where those that have a size shine from
+Status ready_lights(RendererState& state, const View& view,
+                    const std::optional<LampPoint>& point = std::nullopt);
 
 /// The way the strongest light of the environment travels in the world.
 glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment);

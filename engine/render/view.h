@@ -80,8 +80,8 @@ struct View {
 
     Background background;
     bool ground_shadow = true;  ///< contact shadow on the floor; Studio only
-    /// Suns of the environment, directional lamps and the key light of the traditional models cast
-    /// shadows on the model.
+    /// Suns of the environment, the key light of the traditional models and the strongest lamps
+    /// cast shadows on the model: six lights at most.
     bool shadows = true;
     float exposure_ev = 0.0f;  ///< radiance is multiplied by 2^EV
     ToneMap tone_map = ToneMap::PbrNeutral;

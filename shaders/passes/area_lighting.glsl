@@ -4,9 +4,25 @@
 // surface's own lobe, weighted by the balance heuristic as those of environment_samples.glsl are.
 // Constant: AREA_LIGHTS; 0 leaves all of it out, which compiles faster.
 
+#include "passes/camera.glsl"
 #include "passes/environment_samples.glsl"
 #include "passes/lights.glsl"
 #include "passes/lit.glsl"
+#include "passes/shadows.glsl"
+
+/// The map that holds the shadow of a lamp; -1: none.
+int map_of_lamp(int i) {
+    for (int map = 0; map < SHADOW_COUNT; ++map)
+        if (int(shadow_lamp[map]) == i) return map;
+    return -1;
+}
+
+/// What of a lamp reaches a surface.
+float lamp_reaching(int i, Surface s, vec3 towards) {
+    int map = map_of_lamp(i);
+    return map < 0 ? 1.0
+                   : light_reaching(map, s.position, s.normal, towards, picture_pixel());
+}
 
 #if AREA_LIGHTS == 1
 #include "shared/area_light.glsl"
@@ -17,6 +33,8 @@ SeenRectangle seen_rectangle(Lamp lamp, vec3 point) {
                          cross(travel, lamp.across_size.xyz), travel, lamp.direction_size.w,
                          lamp.across_size.w);
 }
+
+uniform vec2 lamp_point;  // of the unit square: where lamps that cast shadows shine from in this draw
 
 /// A lamp that has a size, as a point sees it.
 struct SeenLamp {
@@ -39,13 +57,13 @@ SeenLamp seen_lamp(Lamp lamp, vec3 point) {
 }
 
 /// In closed form, with the point nearest to the mirrored eye for the highlight.
-void add_area_lamp(inout Lit lit, SeenLamp lamp, Surface s, PbrSurface p, vec3 v) {
+void add_area_lamp(inout Lit lit, SeenLamp lamp, int i, Surface s, PbrSurface p, vec3 v) {
     vec3 mirrored = reflect(-v, s.normal);
     SeenRectangle r = lamp.rectangle;
     vec3 vector = lamp.is_sphere ? lamp.sine2 * normalize(r.middle) : rectangle_irradiance(r);
     float facing = length(vector);
     if (facing <= 0.0) return;
-    vec3 light = PI * lamp.radiance;
+    vec3 light = PI * lamp.radiance * lamp_reaching(i, s, vector / facing);
 
     ReflectionAngles angles = reflection_angles(s.normal, v, vector / facing);
     lit.diffuse_direct += light * share_of_vector(vector, s.normal) *
@@ -60,12 +78,23 @@ void add_area_lamp(inout Lit lit, SeenLamp lamp, Surface s, PbrSurface p, vec3 v
                            brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
 }
 
-/// Of drawing a direction that meets the lamp.
-float lamp_density(SeenLamp lamp, vec3 direction) {
-    return lamp.is_sphere ? sphere_density(lamp.sine2) : rectangle_density(direction, lamp.rectangle);
+/// Of drawing a direction that meets the lamp. by_point: points of a rectangle are drawn, and not
+/// directions.
+float lamp_density(SeenLamp lamp, vec3 direction, bool by_point) {
+    if (lamp.is_sphere) return sphere_density(lamp.sine2);
+    return by_point ? rectangle_point_density(direction, lamp.rectangle)
+                    : rectangle_density(direction, lamp.rectangle);
 }
 
-/// One draw's share of the light of lamp i.
+vec3 lamp_direction(SeenLamp lamp, vec2 u, bool by_point) {
+    if (lamp.is_sphere) return sphere_direction(u, normalize(lamp.rectangle.middle), lamp.sine2);
+    return by_point ? rectangle_point_direction(u, lamp.rectangle)
+                    : rectangle_direction(u, lamp.rectangle);
+}
+
+/// One draw's share of the light of lamp i. A lamp that casts a shadow shines from one point in each
+/// draw, the same for all pixels: the one that its map is drawn from. What a pixel's own lobe finds
+/// of it is shadowed as that point is.
 void add_sampled_lamp(inout Lit lit, SeenLamp lamp, int i, Surface s, PbrSurface p, vec3 v,
                       LobeSample lobe[LOBE_SAMPLES]) {
     SeenRectangle r = lamp.rectangle;
@@ -73,21 +102,22 @@ void add_sampled_lamp(inout Lit lit, SeenLamp lamp, int i, Surface s, PbrSurface
     // Another point of the same sequence for each lamp: Roberts's steps in its third dimension.
     vec2 u = fract(lobe_point(gl_FragCoord.xy, draw_index) +
                    float(i + 1) * vec2(0.8191725133961645, 0.6710436067037893));
-    vec3 l = lamp.is_sphere ? sphere_direction(u, normalize(r.middle), lamp.sine2)
-                            : rectangle_direction(u, r);
+    bool by_point = map_of_lamp(i) >= 0;
+    vec3 l = lamp_direction(lamp, by_point ? lamp_point : u, by_point);
+    vec3 radiance = lamp.radiance * lamp_reaching(i, s, l);
     ReflectionAngles angles = reflection_angles(s.normal, v, l);
     float alpha = alpha_from_roughness(s.roughness);
     float by_lobe =
         float(LOBE_SAMPLES) * ggx_visible_density(angles.n_dot_h, angles.n_dot_v, alpha);
-    add_direct_light(lit, s, p, v, l, lamp.radiance / (lamp_density(lamp, l) + by_lobe));
+    add_direct_light(lit, s, p, v, l, radiance / (lamp_density(lamp, l, by_point) + by_lobe));
     for (int k = 0; k < LOBE_SAMPLES; ++k) {
         if (lobe[k].density == 0.0) continue;
         float met = lamp.is_sphere ? sphere_is_met(lobe[k].direction, r.middle, lamp.radius)
                                    : rectangle_is_met(lobe[k].direction, r);
         if (met == 0.0) continue;
-        float by_either = lamp_density(lamp, lobe[k].direction) +
+        float by_either = lamp_density(lamp, lobe[k].direction, by_point) +
                           float(LOBE_SAMPLES) * lobe[k].density;
-        add_direct_light(lit, s, p, v, lobe[k].direction, lamp.radiance / by_either);
+        add_direct_light(lit, s, p, v, lobe[k].direction, radiance / by_either);
     }
 }
 

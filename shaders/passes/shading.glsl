@@ -63,14 +63,6 @@ float map_reaching(float suns[MOST_SUNS], vec3 direction_map) {
     return reaching;
 }
 
-/// What of a lamp reaches a surface.
-float lamp_reaching(int i, Surface s, vec3 towards) {
-    for (int map = 0; map < SHADOW_COUNT; ++map)
-        if (int(shadow_lamp[map]) == i)
-            return light_reaching(map, s.position, s.normal, towards, picture_pixel());
-    return 1.0;
-}
-
 /// The filtered environment and its suns.
 void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
     // The split sum: what is mirrored of a uniform environment, times the filtered one.
@@ -140,7 +132,7 @@ Lit lit_pbr(Surface s, vec3 v) {
             if (SAMPLED_ENVIRONMENT == 1)
                 add_sampled_lamp(lit, lamp, i, s, p, v, lobe);
             else
-                add_area_lamp(lit, lamp, s, p, v);
+                add_area_lamp(lit, lamp, i, s, p, v);
             continue;
         }
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Shadows of lights that are far away, with edges as soft as the light is wide. Maps of depth as
-// seen from the lights, beside each other in one texture. Laid out in engine/render/shadow_maps.cpp.
+// Shadows, with edges as soft as the light is wide. Maps of depth as seen from the lights, beside
+// each other in one texture. Laid out in engine/render/shadow_maps.cpp.
 // Constant: SHADOW_COUNT, of the maps. R. Fernando, "Percentage-closer soft shadows", 2005.
 
-const int MOST_SHADOWS = 4;
+const int MOST_SHADOWS = 6;
 const int BLOCKER_TAPS = 4;
 const int EDGE_TAPS = 8;
 
@@ -15,8 +15,11 @@ const vec2 DISC[EDGE_TAPS] = vec2[EDGE_TAPS](
     vec2(-0.23400, -0.87048), vec2(-0.44627, 0.85927));
 
 uniform sampler2D shadow_maps;                   // 0 nearest to the light, 1 behind everything
-uniform vec4 shadow_from_world[3 * MOST_SHADOWS];  // rows: across, up (0 to 1 of the map), depth
-uniform vec4 shadow_shape[MOST_SHADOWS];  // metres across, tangent of the radius, texels across
+uniform vec4 shadow_from_world[4 * MOST_SHADOWS];  // rows: across, up (0 to 1 of the map), depth, w
+// Metres across (of a lamp at a place: at 1 m from it); its radius (of a far light the tangent, of a
+// lamp metres); texels across; 1: a lamp at a place.
+uniform vec4 shadow_shape[MOST_SHADOWS];
+uniform vec4 shadow_range[MOST_SHADOWS];  // metres at depth 0 and 1
 uniform float shadow_lamp[MOST_SHADOWS];  // the lamp of a map; -1: none
 uniform int sun_shadow_count;             // suns 0 to this less 1 have the maps of their numbers
 uniform int key_shadow;                   // the map of ambient_key_direction; -1: none
@@ -28,27 +31,61 @@ float shadow_depth(int map, vec2 texel) {
     return texelFetch(shadow_maps, ivec2(inside) + ivec2(map * int(side), 0), 0).r;
 }
 
-/// How much of a light reaches a point, 0 to 1. `normal` and `towards` are unit, in the world. A
-/// map is as deep as it is wide: shares of depth and of its width are the same length.
+/// The depth in a map of what is so many metres away along its axis, and back.
+float shadow_depth_of(int map, float metres) {
+    vec2 range = shadow_range[map].xy;
+    if (shadow_shape[map].w < 0.5) return metres / range.y;
+    float m = max(metres, range.x);
+    return range.y * (m - range.x) / (m * (range.y - range.x));
+}
+float shadow_metres_of(int map, float depth) {
+    vec2 range = shadow_range[map].xy;
+    if (shadow_shape[map].w < 0.5) return depth * range.y;
+    return range.x * range.y / (range.y - depth * (range.y - range.x));
+}
+
+/// How wide the edge is, as a share of the map, of what is in the shadow of a blocker; both in
+/// metres along the axis.
+float shadow_edge(int map, float metres, float blocker_metres) {
+    vec4 shape = shadow_shape[map];
+    float gap = max(metres - blocker_metres, 0.0);
+    if (shape.w < 0.5) return gap * shape.y / shape.x;
+    return gap * shape.y / (max(blocker_metres, 1e-6) * metres * shape.x);
+}
+
+/// How much deeper a surface is a step aside; those on edge get little light anyway.
+float shadow_slope(int map, vec3 normal, vec3 towards) {
+    bool at_place = shadow_shape[map].w > 0.5;
+    vec3 axis = at_place ? shadow_from_world[4 * map + 3].xyz : -towards;
+    float along = dot(normal, axis);
+    float n_dot_l = clamp(dot(normal, towards), 0.0, 1.0);
+    return min(sqrt(max(1.0 - along * along, 0.0)) * abs(dot(axis, towards)) / max(n_dot_l, 1e-3),
+               4.0);
+}
+
+/// How much of a light reaches a point, 0 to 1. `normal` and `towards` are unit, in the world.
+/// Beside a map all of it does.
 float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel) {
     if (SHADOW_COUNT == 0) return 1.0;
     float texel = 1.0 / shadow_shape[map].z;
-    float n_dot_l = clamp(dot(normal, towards), 0.0, 1.0);
-    // How much deeper a surface is a step aside; those on edge get little light anyway.
-    float slope = min(sqrt(1.0 - n_dot_l * n_dot_l) / max(n_dot_l, 1e-3), 4.0);
-    // Off the surface by what one texel hides.
-    vec4 moved = vec4(point + normal * (1.5 * texel * shadow_shape[map].x), 1.0);
-    vec3 at = vec3(dot(shadow_from_world[3 * map], moved),
-                   dot(shadow_from_world[3 * map + 1], moved),
-                   dot(shadow_from_world[3 * map + 2], moved));
+    // Off the surface by what one texel hides. w is 1 for a far light.
+    float w = dot(shadow_from_world[4 * map + 3], vec4(point, 1.0));
+    float metres_across = shadow_shape[map].x * max(w, 0.0);
+    vec4 moved = vec4(point + normal * (1.5 * texel * metres_across), 1.0);
+    w = dot(shadow_from_world[4 * map + 3], moved);
+    vec3 at = vec3(dot(shadow_from_world[4 * map], moved),
+                   dot(shadow_from_world[4 * map + 1], moved),
+                   dot(shadow_from_world[4 * map + 2], moved)) / max(w, 1e-6);
+    float metres = shadow_shape[map].w > 0.5 ? w : shadow_metres_of(map, at.z);
+    float slope = shadow_slope(map, normal, towards) * metres_across;
     float turn = 6.2831853 * (fract(52.9829189 * fract(dot(floor(pixel),
                                                            vec2(0.06711056, 0.00583715)))) +
                               shadow_turn);
     mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * shadow_shape[map].z;
     vec2 middle = at.xy * shadow_shape[map].z;
 
-    float widest = max(at.z * shadow_shape[map].y, texel);
-    float deepest = at.z - slope * widest;
+    float widest = max(shadow_edge(map, metres, shadow_range[map].x), texel);
+    float deepest = shadow_depth_of(map, metres - slope * widest);
     float blockers = 0.0;
     float blocker_depths = 0.0;
     for (int k = 0; k < BLOCKER_TAPS; ++k) {
@@ -58,11 +95,12 @@ float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel)
         blocker_depths += blocks * depth;
     }
     // What blocks from nearby is too near for the wide search and has a hard edge.
-    float gap = blockers > 0.0 ? at.z - blocker_depths / blockers : 0.0;
-    float edge = clamp(gap * shadow_shape[map].y, texel, widest);
-    deepest = at.z - slope * edge;
+    float blocker = blockers > 0.0 ? shadow_metres_of(map, blocker_depths / blockers) : metres;
+    float edge = clamp(shadow_edge(map, metres, blocker), texel, widest);
+    deepest = shadow_depth_of(map, metres - slope * edge);
     float reaching = 0.0;
     for (int k = 0; k < EDGE_TAPS; ++k)
         reaching += step(deepest, shadow_depth(map, middle + turned * (edge * DISC[k])));
-    return reaching / float(EDGE_TAPS);
+    vec2 beside = abs(at.xy - 0.5);
+    return w <= 0.0 || max(beside.x, beside.y) > 0.5 ? 1.0 : reaching / float(EDGE_TAPS);
 }

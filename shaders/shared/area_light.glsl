@@ -210,19 +210,27 @@ const float LEAST_SPHERICAL = 0.01f;
 Bool is_drawn_by_area(SeenRectangle r) {
     return 4.0f * r.half_width * r.half_height < LEAST_SPHERICAL * dot(r.middle, r.middle);
 }
+/// A direction towards a point of a rectangle, for u of the unit square; each point as likely.
+Real3 rectangle_point_direction(Real2 u, SeenRectangle r) {
+    return normalize(r.middle + r.across * ((2.0f * u.x - 1.0f) * r.half_width) +
+                     r.up * ((2.0f * u.y - 1.0f) * r.half_height));
+}
+/// Per steradian, of a direction that meets the rectangle's front.
+Real rectangle_point_density(Real3 direction, SeenRectangle r) {
+    Real leaving = max(-dot(direction, r.shines), 1e-6f);
+    Real distance = -dot(r.middle, r.shines) / leaving;
+    return distance * distance / (leaving * 4.0f * r.half_width * r.half_height);
+}
+
 /// A direction towards a rectangle, for u of the unit square.
 Real3 rectangle_direction(Real2 u, SeenRectangle r) {
-    Real3 by_area = normalize(r.middle + r.across * ((2.0f * u.x - 1.0f) * r.half_width) +
-                              r.up * ((2.0f * u.y - 1.0f) * r.half_height));
+    Real3 by_area = rectangle_point_direction(u, r);
     Real3 by_angle = spherical_rectangle_direction(u, r, spherical_rectangle(r));
     return select(is_drawn_by_area(r), by_area, by_angle);
 }
 /// How densely rectangle_direction draws that direction, which meets the rectangle's front.
 Real rectangle_density(Real3 direction, SeenRectangle r) {
-    Real leaving = max(-dot(direction, r.shines), 1e-6f);
-    Real distance = -dot(r.middle, r.shines) / leaving;
-    Real by_area =
-        distance * distance / (leaving * 4.0f * r.half_width * r.half_height);
+    Real by_area = rectangle_point_density(direction, r);
     Real by_angle = 1.0f / max(spherical_rectangle(r).solid_angle, 1e-6f);
     return select(is_drawn_by_area(r), by_area, by_angle);
 }

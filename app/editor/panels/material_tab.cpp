@@ -170,7 +170,10 @@ Requests draw_lights(Ui& ui, Rect& rest, const Document& document, ViewState& vi
 
 void draw_shading(Ui& ui, Rect& rest, ViewState& view) {
     const Place place(ui, "Shading terms");
-    if (!unfold(ui, rest, "Shading terms", "left side", view.unfolded.terms)) return;
+    if (!unfold(ui, rest, "Shading terms",
+                view.view.left.model == render::ShadingModel::Pbr ? "left side" : "",
+                view.unfolded.terms))
+        return;
     render::Shading& shading = view.view.left;
     if (shading.model == render::ShadingModel::Pbr)
         term_fields(ui, rest, shading.terms);

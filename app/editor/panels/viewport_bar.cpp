@@ -162,7 +162,7 @@ void background_menu(Ui& ui, ViewState& state) {
     menu.separator();
     if (menu.item({.label = "Shadows",
                    .ticked = view.shadows,
-                   .tooltip = "Of suns in the environment, directional lights and Phong's light"}))
+                   .tooltip = "Of suns in the environment, the strongest lamps and Phong's light"}))
         view.shadows = !view.shadows;
     if (menu.item({.label = "Ground shadow", .ticked = view.ground_shadow}))
         view.ground_shadow = !view.ground_shadow;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 
-/// Shadows of lights that are far away.
+/// Shadows of lights that are far away, and of lamps at a place.
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "render/light_block.h"
 #include "render/render_test.h"
 
 namespace patina::render {
@@ -148,6 +149,118 @@ TEST_F(ShadowTest, TheKeyLightOfPhongCastsOneToo) {
         if (each.position.y > 0.01f || std::abs(aside - 0.5f) < 0.06f) continue;
         EXPECT_NEAR(each.share, aside < 0.5f ? 0.0f : 1.0f, 1e-3f) << aside;
     }
+}
+
+/// Whether the sphere of 0.5 m lies between two points.
+bool sphere_hides(const glm::vec3& from, const glm::vec3& to) {
+    const glm::vec3 middle(0.0f, 1.0f, 0.0f);
+    const glm::vec3 way = to - from;
+    const float at = std::clamp(glm::dot(middle - from, way) / glm::dot(way, way), 0.0f, 1.0f);
+    return glm::length(from + at * way - middle) < 0.5f;
+}
+
+TEST_F(ShadowTest, ALampAtAPlaceLeavesInTheDarkWhatTheSphereHidesAndNothingElse) {
+    show_sphere_over_floor();
+    // The last stands amid the scene and shines towards its middle.
+    for (const glm::vec3& place :
+         {glm::vec3(0.5f, 9.0f, 1.0f), glm::vec3(-5.0f, 4.0f, 3.0f), glm::vec3(1.0f, 2.5f, 0.5f)})
+        for (const Light::Kind kind : {Light::Kind::Point, Light::Kind::Spot}) {
+            view_.lights = {{.kind = kind,
+                             .name = "lamp",
+                             .intensity = 300.0f,
+                             .position_world = place,
+                             .direction_world = glm::normalize(glm::vec3(0.0f, 1.0f, 0.0f) - place),
+                             .outer_cone_radians = 0.6f}};
+            int dark = 0;
+            int lit = 0;
+            int wrong = 0;
+            for (const Seen& each : seen(ChannelView::DiffuseDirect)) {
+                if (each.position.y > 0.01f) {  // the sphere hides nothing of itself
+                    EXPECT_NEAR(each.share, 1.0f, 1e-3f);
+                    continue;
+                }
+                const bool hidden = sphere_hides(each.position, place);
+                ++(hidden ? dark : lit);
+                wrong += std::abs(each.share - (hidden ? 0.0f : 1.0f)) > 1e-3f ? 1 : 0;
+            }
+            EXPECT_GT(dark, 30);
+            EXPECT_GT(lit, 300);
+            // The edge.
+            EXPECT_LT(wrong, 0.02 * (dark + lit)) << place.x << " " << static_cast<int>(kind);
+        }
+}
+
+/// What of a lamp that has a size a point of the floor sees, weighted as a white Lambert surface
+/// weighs it, against all of it.
+float seen_share(const Light& light, const glm::vec3& point) {
+    constexpr int kSide = 24;
+    const glm::vec3 across = rectangle_across(light);
+    const glm::vec3 up = glm::cross(light.direction_world, across);
+    double seen = 0.0;
+    double whole = 0.0;
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const glm::vec3 place =
+                light.position_world +
+                across * light.width_m * ((static_cast<float>(i) + 0.5f) / kSide - 0.5f) +
+                up * light.height_m * ((static_cast<float>(j) + 0.5f) / kSide - 0.5f);
+            const glm::vec3 way = place - point;
+            const float distance = glm::length(way);
+            const double received = double{way.y / distance} *
+                                    std::max(-glm::dot(way, light.direction_world), 0.0f) /
+                                    (distance * distance * distance);
+            whole += received;
+            if (!sphere_hides(point, place)) seen += received;
+        }
+    return static_cast<float>(seen / whole);
+}
+
+TEST_F(ShadowTest, ManyDrawsOfARectanglesShadowConvergeToWhatEachPointSeesOfIt) {
+    show_sphere_over_floor();
+    const Light light{.kind = Light::Kind::Rectangle,
+                      .name = "rectangle",
+                      .intensity = 100.0f,
+                      .position_world = {-2.5f, 4.0f, 1.0f},
+                      .direction_world = glm::normalize(glm::vec3(2.5f, -3.5f, -1.0f)),
+                      .width_m = 1.6f,
+                      .height_m = 0.8f};
+    view_.lights = {light};
+    const auto error_of = [&](int draws) {
+        double error = 0.0;
+        int half_dark = 0;
+        int count = 0;
+        for (const Seen& each : seen(ChannelView::DiffuseDirect, draws)) {
+            if (each.position.y > 0.01f) continue;
+            const float expected = seen_share(light, each.position);
+            half_dark += expected > 0.1f && expected < 0.9f ? 1 : 0;
+            error += (each.share - expected) * (each.share - expected);
+            ++count;
+        }
+        EXPECT_GT(half_dark, 100);
+        return std::sqrt(error / count);
+    };
+    const double soft = error_of(1);
+    const double converged = error_of(256);
+    std::printf("one draw %.4f, 256 draws %.4f\n", soft, converged);
+    EXPECT_LT(soft, 0.1);
+    EXPECT_LT(converged, 0.02);
+}
+
+TEST_F(ShadowTest, TheStrongestLampsCastShadowsWhateverTheirOrder) {
+    show_sphere_over_floor();
+    Light weak{.kind = Light::Kind::Point,
+               .name = "weak",
+               .intensity = 0.5f,
+               .position_world = {3.0f, 4.0f, 2.0f}};
+    std::vector<Light> lights(12, weak);
+    lights.push_back({.kind = Light::Kind::Point,
+                      .name = "strong",
+                      .intensity = 500.0f,
+                      .position_world = {0.0f, 6.0f, 0.0f}});
+    view_.lights = lights;
+    float least = 1.0f;
+    for (const Seen& each : seen(ChannelView::DiffuseDirect)) least = std::min(least, each.share);
+    EXPECT_LT(least, 0.1f);
 }
 
 TEST_F(ShadowTest, WhatAnAlphaMaskCutsOutCastsNone) {
