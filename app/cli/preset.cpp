@@ -90,8 +90,10 @@ Status export_images(const Document& document, const std::filesystem::path& fold
             return failure("an image that the stack reads is missing from the file");
         const ImageAsset& image = *found->second;
         preset.images.push_back({.file = image_file_name(image), .hash = hash});
-        if (const Status written = write_file_atomically(folder / preset.images.back().file,
-                                                         std::span(*image.encoded));
+        const auto encoded = image.encoded.bytes();
+        if (!encoded) return failure("an image that the stack reads has no bytes");
+        if (const Status written =
+                write_file_atomically(folder / preset.images.back().file, std::span(*encoded));
             !written)
             return written;
     }

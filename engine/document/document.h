@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "document/encoded_image.h"
 #include "document/material.h"
 #include "scene/image.h"
 #include "scene/scene.h"
@@ -19,13 +20,13 @@
 
 namespace patina {
 
-/// An image that layers use: the encoded bytes as they came, and what is known of the pixels.
+/// An image that layers use: the encoded bytes, and what is known of the pixels.
 /// Pixels themselves are asked of an ImageProvider by hash.
 struct ImageAsset {
     Hash128 hash;           ///< content_hash of the decoded pixels
     std::string name;       ///< for people: file name or glTF name
     std::string mime_type;  ///< "image/png", "image/jpeg", ... of `encoded`
-    std::shared_ptr<const Bytes> encoded;
+    EncodedImage encoded;
     int width = 0;
     int height = 0;
     int channels = 0;

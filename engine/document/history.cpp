@@ -55,7 +55,7 @@ std::size_t bytes_of_new_layers(const std::vector<LayerPtr>& layers, Nodes& know
 }
 
 std::size_t bytes_of_image(const ImageAsset& image) {
-    return sizeof image + image.name.capacity() + (image.encoded ? image.encoded->size() : 0);
+    return sizeof image + image.name.capacity() + image.encoded.bytes_in_memory();
 }
 
 /// Whether nothing was changed between two snapshots of one document. By node: an edit that changes

@@ -14,7 +14,7 @@ namespace patina::io {
 namespace {
 
 ImageAssetPtr asset_of(const Hash128& hash, const Image& image, std::string_view name,
-                       std::string_view mime_type, std::shared_ptr<const Bytes> encoded) {
+                       std::string_view mime_type, EncodedImage encoded) {
     auto asset = std::make_shared<ImageAsset>();
     asset->hash = hash;
     asset->name = name;
@@ -57,7 +57,7 @@ bool is_within_0_to_1(const Image& image) {
 }
 
 /// The same picture in 16 bits a sample.
-Image as_u16(const Image& image) {
+ImagePtr shared_as_u16(const Image& image) {
     Image rounded = image;
     rounded.type = SampleType::U16;
     rounded.data.resize(image.data.size() / 2);
@@ -65,7 +65,7 @@ Image as_u16(const Image& image) {
     auto* const to = reinterpret_cast<std::uint16_t*>(rounded.data.data());
     for (std::size_t i = 0; i < image.data.size() / sizeof(float); ++i)
         to[i] = static_cast<std::uint16_t>(std::lround(from[i] * 65535.0f));
-    return rounded;
+    return std::make_shared<const Image>(std::move(rounded));
 }
 
 }  // namespace
@@ -159,14 +159,30 @@ Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
     }
     const auto header = read_image_header(*encoded, name);
     if (!header) return named(header.error());
-    auto png = encode_png(is_float ? as_u16(**image) : **image);
-    if (!png) return named(png.error());
-    const auto asset = add(std::make_shared<const Bytes>(std::move(*png)), name);
+    auto asset =
+        add_as_png(*encoded, is_float ? shared_as_u16(**image) : *image, name, header->color_space);
     if (!asset) return named(asset.error());
-    // The PNG says nothing of colours: what the file said holds.
-    auto named_asset = std::make_shared<ImageAsset>(**asset);
-    named_asset->color_space = header->color_space;
-    return ImageAssetPtr(std::move(named_asset));
+    return asset;
+}
+
+/// Takes decoded pixels in, which are to be carried as PNG once they are saved.
+Result<ImageAssetPtr> ImageStore::add_as_png(const Bytes& file, const ImagePtr& image,
+                                             std::string_view name, ColorSpace color_space) {
+    const Hash128 file_hash = hash_bytes(file);
+    if (const auto known = state_->find_asset(file_hash)) return known;
+    const std::size_t size_bytes = image->data.size();
+    if (const auto fits = state_->reserve(size_bytes); !fits) return passed_on(fits);
+    const Hash128 hash = content_hash(*image);
+    const auto encode = [image]() -> std::shared_ptr<const Bytes> {
+        auto png = encode_png(*image);
+        return png ? std::make_shared<const Bytes>(std::move(*png)) : nullptr;
+    };
+    auto made = std::make_shared<ImageAsset>(
+        *asset_of(hash, *image, name, "image/png", EncodedImage::when_asked(encode, size_bytes)));
+    made->color_space = color_space;  // which the PNG will say nothing of
+    state_->keep(hash, image);
+    state_->keep_asset(file_hash, made);
+    return ImageAssetPtr(std::move(made));
 }
 
 ImageAssetPtr ImageStore::add_placeholder(const Hash128& hash, std::string_view name,

@@ -38,7 +38,7 @@ class ImageStore final : public ImageProvider {
     /// keeps of it. Counts against the limit of all images together.
     Result<ImageAssetPtr> add(std::shared_ptr<const Bytes> encoded, std::string_view name);
     /// Reads a file and adds it: PNG and JPEG keep their bytes, other formats are carried as 16-bit
-    /// PNG when they are within 0..1.
+    /// PNG when they are within 0..1. That PNG is made when it is first asked for.
     Result<ImageAssetPtr> add_file(const std::filesystem::path& path);
 
     /// Stands in for pixels that are missing or cannot be decoded: a checker is served under
@@ -54,6 +54,9 @@ class ImageStore final : public ImageProvider {
     std::size_t decoded_bytes() const;
 
   private:
+    Result<ImageAssetPtr> add_as_png(const Bytes& file, const ImagePtr& image,
+                                     std::string_view name, ColorSpace color_space);
+
     struct State;
     std::unique_ptr<State> state_;
 };

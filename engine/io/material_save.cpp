@@ -194,8 +194,9 @@ class MaterialWriter {
     int index_of(const ImageAsset& asset) {
         if (asset.source_image && *asset.source_image < save_.images.image_count())
             return *asset.source_image;
-        if (!asset.encoded) return -1;
-        return save_.images.add_image(asset.name, asset.mime_type, asset.encoded);
+        const auto encoded = asset.encoded.bytes();
+        if (!encoded) return -1;
+        return save_.images.add_image(asset.name, asset.mime_type, encoded);
     }
 
     Status state(Slot slot) {

@@ -207,7 +207,8 @@ class Saver {
                 if (asset == document_.images.end() || !added.insert(hash).second) continue;
                 const std::string name = file_beside(*asset->second);
                 if (!name.empty())
-                    side_files_.push_back({path_.parent_path() / name, asset->second->encoded});
+                    side_files_.push_back(
+                        {path_.parent_path() / name, asset->second->encoded.bytes()});
             }
     }
 

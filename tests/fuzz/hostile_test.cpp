@@ -78,7 +78,7 @@ TEST_F(HostileUri, NeverReachesOutOfTheModelsFolder) {
                 ASSERT_EQ(loaded->warnings.size(), 1u) << uri;
                 EXPECT_THAT(loaded->warnings[0], HasSubstr("missing"));
                 expect_one_clean_line(loaded->warnings[0]);
-                EXPECT_EQ(loaded->document->images.begin()->second->encoded, nullptr);
+                EXPECT_EQ(loaded->document->images.begin()->second->encoded.bytes(), nullptr);
             } else {
                 EXPECT_THAT(loaded.error().message, HasSubstr(array));
                 expect_one_clean_line(loaded.error().message);

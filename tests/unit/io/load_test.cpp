@@ -337,8 +337,8 @@ TEST(Load, ShowsAPlaceholderForAnImageThatCannotBeDecodedAndKeepsItsBytes) {
     ASSERT_EQ(loaded->document->images.size(), 1u);
     const auto& [hash, image] = *loaded->document->images.begin();
     EXPECT_TRUE(loaded->images->pixels(hash).has_value());
-    ASSERT_NE(image->encoded, nullptr);
-    EXPECT_EQ((*image->encoded)[1], std::byte{'X'});
+    ASSERT_NE(image->encoded.bytes(), nullptr);
+    EXPECT_EQ((*image->encoded.bytes())[1], std::byte{'X'});
     EXPECT_EQ(image->source_image, 0);
 }
 

@@ -64,9 +64,10 @@ TEST_F(Save, AnUntouchedImageIsShownAsItIsWithFactorTransformAndWrap) {
     EXPECT_EQ(json["extensionsUsed"], Json({"KHR_texture_transform"}));
     EXPECT_EQ(json["samplers"][0]["wrapS"], 33071);
     const Bytes binary = parts_of(read_file(path).value()).binary;
-    EXPECT_NE(
-        std::search(binary.begin(), binary.end(), image->encoded->begin(), image->encoded->end()),
-        binary.end())
+    const auto encoded = image->encoded.bytes();
+    ASSERT_TRUE(encoded);
+    EXPECT_NE(std::search(binary.begin(), binary.end(), encoded->begin(), encoded->end()),
+              binary.end())
         << "the bytes of the image went in as they were";
     EXPECT_TRUE(serialise(*loaded(path).document) == serialise(edited));
 }
