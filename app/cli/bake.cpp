@@ -27,11 +27,12 @@ constexpr const char* kFooter =
     "  patina bake model.glb --textures wood@Body --set Body/wood/opacity=0.8 -o out.glb\n"
     "  patina bake model.glb --layer '{\"name\": \"Gold\", \"channels\": {\"metalness\": "
     "{\"source\": 1}}}' -o out.glb\n"
-    "  patina bake painted.glb --maps maps --map-format exr --packing separate -o out.glb";
+    "  patina bake painted.glb --maps maps --map-format exr --packing separate -o out.glb\n"
+    "  patina bake model.glb --preset rusted-iron --maps maps";
 
 struct BakeOptions {
     std::filesystem::path input;
-    std::filesystem::path output;
+    std::filesystem::path output;  ///< empty: only the maps
     Changes changes;
     io::SaveOptions save;
     std::filesystem::path maps_folder;
@@ -54,7 +55,8 @@ nlohmann::ordered_json to_json(const BakeReport& baked) {
         uvs.push_back({{"material", name}});
         uvs.back().update(uv_layout_json(layout));
     }
-    return {{"output", report.path.string()},
+    const bool written = !report.path.empty();
+    return {{"output", written ? nlohmann::ordered_json(report.path.string()) : nullptr},
             {"bytes", report.bytes},
             {"materials_written", report.materials_written},
             {"maps_baked", report.maps_baked},
@@ -65,23 +67,30 @@ nlohmann::ordered_json to_json(const BakeReport& baked) {
 
 void print(const BakeReport& baked) {
     const io::SaveReport& report = baked.saved;
-    fmt::print("{}: {} bytes, {} materials written, {} maps baked\n", report.path.string(),
-               report.bytes, report.materials_written, report.maps_baked);
+    if (!report.path.empty())
+        fmt::print("{}: {} bytes, {} materials written, {} maps baked\n", report.path.string(),
+                   report.bytes, report.materials_written, report.maps_baked);
     for (const auto& file : baked.map_files) fmt::print("{}\n", file.string());
     for (const auto& [name, layout] : baked.uvs)
         if (layout.overlapped > 0.0 || !layout.measured)
             fmt::print("UVs of {}: {}\n", quoted_for_message(name), uv_layout_words(layout));
 }
 
+/// Nothing where only the maps are asked for.
+Result<io::SaveReport> save(const BakeOptions& options, const Document& document,
+                            ImageProvider& images, const Progress& progress) {
+    if (options.output.empty()) return io::SaveReport{};
+    io::SaveOptions save = options.save;
+    save.keep_maps = !options.maps_folder.empty();
+    return io::save_document(document, images, options.output, save, progress);
+}
+
 Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
     auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
-    io::SaveOptions save = options.save;
-    save.keep_maps = !options.maps_folder.empty();
-    const auto saved =
-        io::save_document(*loaded->document, *loaded->images, options.output, save, progress);
+    auto saved = save(options, *loaded->document, *loaded->images, progress);
     if (!saved) return passed_on(saved);
-    BakeReport report{.saved = *saved, .map_files = {}, .uvs = {}};
+    BakeReport report{.saved = std::move(*saved), .map_files = {}, .uvs = {}};
     const bool reported = options.work.json || !options.work.quiet;
     for (const MaterialPtr& material : loaded->document->materials)
         if (reported)
@@ -89,7 +98,7 @@ Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
     if (options.maps_folder.empty()) return report;
     io::MapExportOptions maps = options.maps;
     maps.size = options.save.size;
-    maps.baked = &saved->maps;
+    maps.baked = &report.saved.maps;
     auto files =
         io::export_maps(*loaded->document, *loaded->images, options.maps_folder, maps, progress);
     if (!files) return passed_on(files);
@@ -123,17 +132,21 @@ void add_bake(CLI::App& app, Command& chosen) {
     command->footer(kFooter);
     auto options = std::make_shared<BakeOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
-    add_output_option(*command, options->output, {".glb", ".gltf"}, "The file to write");
+    add_output_option(*command, options->output, {".glb", ".gltf"},
+                      "The file to write; may be left out with --maps")
+        ->required(false);
     add_change_options(*command, options->changes);
     add_map_size_option(*command, options->save.size);
     command
         ->add_option("--maps", options->maps_folder,
-                     "Also write every map of the result as a file of its own into this folder,\n"
+                     "Write every map of the result as a file of its own into this folder,\n"
                      "as 'patina export' does")
         ->type_name("DIR");
     add_map_options(*command, options->maps);
     add_work_options(*command, options->work);
     command->callback([options, &chosen] {
+        if (options->output.empty() && options->maps_folder.empty())
+            throw CLI::RequiredError("-o FILE, --maps DIR or both");
         if (const Status good = io::check_map_options(options->maps); !good)
             throw CLI::ValidationError("--map-format", good.error().message);
         chosen = [options] { return run_bake(*options); };

@@ -93,6 +93,32 @@ TEST_F(Bake, MapsComeInTheBitsAndPackingThatWereAskedFor) {
                                               "Ball_metalness.exr", "Ball_roughness.exr"}));
 }
 
+TEST_F(Bake, MapsAloneAreThoseThatComeBesideAFile) {
+    const std::string input = sample();
+    const auto bake = [&](const std::string& folder, std::vector<std::string> output) {
+        std::vector<std::string> arguments = {"bake",   input, "--preset", "rusted-iron@Ball",
+                                              "--size", "256", "--maps",   at(folder),
+                                              "--json"};
+        arguments.insert(arguments.end(), output.begin(), output.end());
+        const Outcome outcome = patina(arguments);
+        EXPECT_TRUE(succeeded(outcome));
+        return nlohmann::json::parse(outcome.out);
+    };
+    const nlohmann::json beside = bake("beside", {"-o", at("out.glb")});
+    const nlohmann::json alone = bake("alone", {});
+    EXPECT_TRUE(alone["output"].is_null());
+    ASSERT_EQ(alone["map_files"].size(), beside["map_files"].size());
+    for (std::size_t i = 0; i < alone["map_files"].size(); ++i)
+        EXPECT_EQ(file_text(alone["map_files"][i].get<std::string>()),
+                  file_text(beside["map_files"][i].get<std::string>()));
+}
+
+TEST_F(Bake, WithoutAnywhereToWriteIsWrongUsage) {
+    const Outcome outcome = patina({"bake", sample()});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("-o FILE, --maps DIR or both"));
+}
+
 TEST_F(Bake, WhatNoFileCanHoldIsWrongUsage) {
     const Outcome outcome =
         patina({"bake", sample(), "--maps", at("maps"), "--bits", "32", "-o", at("out.glb")});
