@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // patina_bench [Google Benchmark's flags]: runs every benchmark seven times, interleaved, and
 // prints the least time of each and the ratios of ratios.h between those that ran.
+// patina_bench --write-stack10 FOLDER SIZE: writes the work item as files instead.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ratios.h"
+#include "write_stack10.h"
 
 namespace patina::bench {
 namespace {
@@ -89,7 +93,15 @@ std::vector<std::string> arguments_with_defaults(int argc, char** argv) {
     return arguments;
 }
 
+int write_files(const char* folder, const char* size) {
+    const Status written = write_stack10(folder, std::atoi(size));
+    if (!written) fmt::print(stderr, "{}\n", written.error().message);
+    return written ? 0 : 1;
+}
+
 int run(int argc, char** argv) {
+    if (argc == 4 && std::string_view(argv[1]) == "--write-stack10")
+        return write_files(argv[2], argv[3]);
     std::vector<std::string> arguments = arguments_with_defaults(argc, argv);
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());

@@ -121,9 +121,16 @@ Images& provider() {
     return images;
 }
 
-/// Stands for the hash of the pixels, which is the io layer's work and not measured here.
-Hash128 name_of(int layer, int kind) {
-    return {.high = static_cast<std::uint64_t>(layer), .low = static_cast<std::uint64_t>(kind)};
+/// The hash of the pixels of one image of the last stack10().
+Hash128& name_of(int layer, int kind) {
+    static std::array<std::array<Hash128, 4>, kLayers + 1> names;
+    return names[static_cast<std::size_t>(layer + 1)][static_cast<std::size_t>(kind)];
+}
+
+ImagePtr kept(int layer, int kind, ImagePtr image) {
+    name_of(layer, kind) = content_hash(*image);
+    provider().images[name_of(layer, kind)] = image;
+    return image;
 }
 constexpr int kColorImage = 1;
 constexpr int kMaskImage = 2;
@@ -221,17 +228,13 @@ const Stack10& stack10(int size) {
     stack = {};
     provider().images.clear();
     stack.size = size;
-    stack.base = made_image(size, 3, 1, 150);
-    provider().images[name_of(-1, kColorImage)] = stack.base;
+    stack.base = kept(-1, kColorImage, made_image(size, 3, 1, 150));
     for (int i = 0; i < kLayers; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const auto seed = static_cast<std::uint32_t>(1000 * (i + 1));
-        provider().images[name_of(i, kColorImage)] = stack.color[at] =
-            made_image(size, 4, seed, 150);
-        provider().images[name_of(i, kMaskImage)] = stack.mask[at] =
-            made_image(size, 1, seed + 300, 700);
-        provider().images[name_of(i, kRoughnessImage)] = stack.roughness[at] =
-            made_image(size, 1, seed + 600, 150);
+        stack.color[at] = kept(i, kColorImage, made_image(size, 4, seed, 150));
+        stack.mask[at] = kept(i, kMaskImage, made_image(size, 1, seed + 300, 700));
+        stack.roughness[at] = kept(i, kRoughnessImage, made_image(size, 1, seed + 600, 150));
     }
     return stack;
 }
@@ -329,8 +332,10 @@ Material stack10_material(BlendSpace space) {
                     .blend_space = space};
         layer.mask.entries = {
             {.id = {static_cast<std::uint64_t>(100 + i)},
+             .name = "Mask",
              .source = image_source(i, kMaskImage, ColorSpace::Linear, ChannelPick::Red)},
             {.id = {static_cast<std::uint64_t>(200 + i)},
+             .name = "Alpha",
              .source = image_source(i, kColorImage, ColorSpace::Linear, ChannelPick::Alpha)}};
         set_channel(layer, Channel::BaseColor,
                     image_source(i, kColorImage, ColorSpace::Srgb, ChannelPick::Rgb));

@@ -50,7 +50,7 @@ void composite_naively(const Stack10& stack, StackOutput& out);
 void composite_reference(const Stack10& stack, int stride, StackOutput& out);
 
 /// The work item as a document has it: fill layers whose masks have two entries, multiplied (the
-/// mask image and the colour's alpha).
+/// mask image and the colour's alpha), over the images of the last stack10().
 Material stack10_material(BlendSpace space);
 
 /// Hands out the images of the last stack10().
