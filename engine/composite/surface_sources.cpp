@@ -113,10 +113,16 @@ class ProjectedTile {
             result.components[k] = {.data = target[k]};
         }
         std::copy_n(planes_.sum[3], count_, coverage);
+        // Weights sum up to 1 but for rounding, and what is opaque is so exactly.
+        if (!may_be_clear()) result.coverage = uniform_one();
         return result;
     }
 
   private:
+    bool may_be_clear() const {
+        const auto* const image = std::get_if<ImageSource>(&record_.source);
+        return image != nullptr && image->alpha_is_coverage;
+    }
     int components() const { return is_vector(record_.reading) ? 3 : 1; }
 
     /// In the frame of the surface: what leans along it, and what stands out of it as it stands out

@@ -12,8 +12,13 @@ namespace {
 
 constexpr std::uint32_t kNoTriangle = 0x7fff'ffffu;
 constexpr int kRowsOfBand = 32;
-/// Texels looked at, some ten seconds of two cores.
-constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
+/// Texels looked at, some seconds of two cores.
+constexpr std::uint64_t kMostWork = std::uint64_t{1} << 30;
+
+/// The largest multiple of `size` that is at most `value`.
+constexpr std::int64_t multiple_below(std::int64_t value, std::int64_t size) {
+    return value - (value % size + size) % size;
+}
 
 }  // namespace
 
@@ -65,7 +70,6 @@ class UvMapMaker {
     /// Which triangles reach each band of rows, in their order.
     void sort_into_bands() {
         bands_.resize(static_cast<std::size_t>((size_ + kRowsOfBand - 1) / kRowsOfBand));
-        std::vector<bool> reached(bands_.size());
         for (std::uint32_t triangle = 0; triangle < surface_.triangle_count(); ++triangle) {
             const auto here = placed(triangle);
             if (!here) continue;
@@ -110,12 +114,14 @@ class UvMapMaker {
         const UvTriangle& shape = *here.shape;
         const std::int64_t low_y = shape.low_y(), high_y = shape.high_y();
         const std::int64_t low_x = shape.low_x(), high_x = shape.high_x();
-        for (std::int64_t y = low_y; y <= high_y; ++y) {
-            const auto row = static_cast<int>(wrapped_texel(y, size_));
-            if (row < first_row || row >= last_row) continue;
-            for (std::int64_t x = low_x; x <= high_x; ++x)
-                if (middles ? shape.holds(x, y) : shape.touches(x, y))
-                    claim(static_cast<int>(wrapped_texel(x, size_)), row, here.triangle);
+        // Of each tile of the texture that it reaches, the rows of this band.
+        for (std::int64_t tile = multiple_below(low_y, size_); tile <= high_y; tile += size_) {
+            const std::int64_t end = std::min(tile + last_row, high_y + 1);
+            for (std::int64_t y = std::max(tile + first_row, low_y); y < end; ++y)
+                for (std::int64_t x = low_x; x <= high_x; ++x)
+                    if (middles ? shape.holds(x, y) : shape.touches(x, y))
+                        claim(static_cast<int>(wrapped_texel(x, size_)), static_cast<int>(y - tile),
+                              here.triangle);
         }
     }
 

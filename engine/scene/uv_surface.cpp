@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/uv_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -9,8 +10,8 @@
 namespace patina {
 namespace {
 
-/// A preview's and the full one's.
-constexpr std::size_t kMapsKept = 2;
+/// A thumbnail's, a preview's and the full one's.
+constexpr std::size_t kMapsKept = 3;
 
 using Weights = std::array<double, 3>;
 
@@ -95,7 +96,7 @@ UvSurface::UvSurface(ScenePtr scene, std::vector<SurfacePart> parts, int uv_set)
     const Bounds& bounds = scene_->bounds_world;
     const glm::vec3 sides = bounds.empty() ? glm::vec3(1.0f) : bounds.high - bounds.low;
     const float longest = std::max({sides.x, sides.y, sides.z});
-    const float scale = longest > 0.0f ? 1.0f / longest : 1.0f;
+    const float scale = longest > 1e-30f && longest < 1e30f ? 1.0f / longest : 1.0f;
     const glm::vec3 center = bounds.empty() ? glm::vec3(0.0f) : bounds.center();
     Hasher hasher;
     hasher.add(uv_set_).add(scale).add(center.x).add(center.y).add(center.z);
@@ -216,19 +217,26 @@ SurfacePoint UvSurface::point_at(std::uint32_t triangle, double u, double v) con
 }
 
 UvMapPtr UvSurface::map(int size) const {
+    // What was asked for last is kept longest.
     const auto find = [&]() -> UvMapPtr {
-        for (const UvMapPtr& made : maps_)
-            if (made->size() == size) return made;
-        return nullptr;
+        const auto found = std::find_if(maps_.begin(), maps_.end(),
+                                        [&](const UvMapPtr& made) { return made->size() == size; });
+        if (found == maps_.end()) return nullptr;
+        std::rotate(found, found + 1, maps_.end());
+        return maps_.back();
     };
     {
         const std::lock_guard lock(mutex_);
+        if (sizes_without_map_.contains(size)) return nullptr;
         if (UvMapPtr made = find()) return made;
     }
     // Not under the lock: a thread that waits for its parallel loops may come to ask here again.
     UvMapPtr made = UvMap::make(*this, size);
-    if (made == nullptr) return nullptr;
     const std::lock_guard lock(mutex_);
+    if (made == nullptr) {
+        sizes_without_map_.insert(size);
+        return nullptr;
+    }
     if (UvMapPtr other = find()) return other;
     if (maps_.size() == kMapsKept) maps_.erase(maps_.begin());
     maps_.push_back(made);

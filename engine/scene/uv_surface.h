@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,7 +73,7 @@ class UvSurface {
     SurfacePoint point_at(std::uint32_t triangle, double u, double v) const;
 
     /// Which triangle each texel shows, `size` texels a side: 1 to 16384. Made when first asked
-    /// for, and kept while it is in use. Null, with a line in the log, where that is too much work.
+    /// for; the last few are kept. Null, with a line in the log, where that is too much work.
     std::shared_ptr<const UvMap> map(int size) const;
 
   private:
@@ -90,8 +91,8 @@ class UvSurface {
     bool has_uvs_ = false;
     float length_per_uv_ = 1.0f;
     mutable std::mutex mutex_;
-    /// The last maps: a preview's and the full one's.
-    mutable std::vector<std::shared_ptr<const UvMap>> maps_;
+    mutable std::vector<std::shared_ptr<const UvMap>> maps_;  ///< the last ones
+    mutable std::set<int> sizes_without_map_;
 };
 
 using UvSurfacePtr = std::shared_ptr<const UvSurface>;
