@@ -38,7 +38,6 @@ std::optional<BakedPlace> place_of(Channel channel, int component) {
 struct Plane {
     const Image* image = nullptr;
     int component = 0;
-    bool invert = false;
     std::byte constant = std::byte{255};
 };
 
@@ -58,7 +57,9 @@ std::optional<Plane> plane_of(const PackedMap& map, int c, const EncodedMaps& ba
     // An alpha channel that is opaque everywhere was left out.
     if (place->component >= file->image->channels)
         return Plane{.constant = value.invert ? std::byte{0} : std::byte{255}};
-    return Plane{.image = file->image.get(), .component = place->component, .invert = value.invert};
+    // The middle of a byte rounds upwards, that of an inverted number too: bytes do not tell which.
+    if (value.invert) return std::nullopt;
+    return Plane{.image = file->image.get(), .component = place->component};
 }
 
 }  // namespace
@@ -72,8 +73,8 @@ std::shared_ptr<const EncodedMap> same_file(const PackedMap& map, const EncodedM
             const auto plane = plane_of(map, c, baked, size);
             const bool left_out =
                 c >= file->image->channels && plane && map.has_opacity() && plane->image == nullptr;
-            same = left_out || (plane && plane->image == file->image.get() &&
-                                plane->component == c && !plane->invert);
+            same =
+                left_out || (plane && plane->image == file->image.get() && plane->component == c);
         }
         if (same) return file;
     }
@@ -100,7 +101,6 @@ std::optional<Image> packed_bytes(const PackedMap& map, const EncodedMaps& baked
                 if (plane.image != nullptr)
                     byte = plane.image->data[i * static_cast<std::size_t>(plane.image->channels) +
                                              static_cast<std::size_t>(plane.component)];
-                if (plane.image != nullptr && plane.invert) byte = ~byte;
                 image.data[i * channels + c] = byte;
             }
         }

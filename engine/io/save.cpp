@@ -37,10 +37,11 @@ struct EditedMaterial {
     MaterialPtr before;  ///< null: nothing of it is in the file
 };
 
-/// Whether layers of the material read another model than when the file was opened: parts were
-/// given to it, or taken from it.
+/// Whether layers of the material read another model than when the file was opened, or its maps
+/// are continued past other parts: parts were given to it, or taken from it.
 bool reads_other_parts(const Document& document, const Material& now, const Material& before) {
-    if (document.assigned == document.opened->assigned || !reads_surface(now)) return false;
+    if (document.assigned == document.opened->assigned) return false;
+    if (!reads_surface(now) && now.padding != Padding::Dilate) return false;
     return worn_surface(document, now)->hash() != worn_surface(*document.opened, before)->hash();
 }
 
