@@ -84,7 +84,8 @@ float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel)
     mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * shadow_shape[map].z;
     vec2 middle = at.xy * shadow_shape[map].z;
 
-    float widest = max(shadow_edge(map, metres, shadow_range[map].x), texel);
+    // A lamp amid the scene may have blockers close by, whose edges would be wider than the map.
+    float widest = clamp(shadow_edge(map, metres, shadow_range[map].x), texel, 0.125);
     float deepest = shadow_depth_of(map, metres - slope * widest);
     float blockers = 0.0;
     float blocker_depths = 0.0;
