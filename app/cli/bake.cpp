@@ -12,6 +12,7 @@
 #include "cli/progress_bar.h"
 #include "cli/uv_report.h"
 #include "core/log.h"
+#include "document/worn_surface.h"
 #include "io/save.h"
 
 namespace patina::cli {
@@ -76,10 +77,25 @@ void print(const BakeReport& baked) {
             fmt::print("UVs of {}: {}\n", quoted_for_message(name), uv_layout_words(layout));
 }
 
+/// What layers read of the model and is not there; a save says it by itself.
+std::vector<std::string> missing_of_model(const Document& document) {
+    std::vector<std::string> lines;
+    for (const MaterialPtr& material : document.materials)
+        if (const UvSurfacePtr surface = surface_read(document, *material))
+            for (const std::string& line : missing_of_surface(*material, *surface))
+                lines.push_back(fmt::format("material \"{}\": {}",
+                                            quoted_for_message(material->name, 60), line));
+    return lines;
+}
+
 /// Nothing where only the maps are asked for.
 Result<io::SaveReport> save(const BakeOptions& options, const Document& document,
                             ImageProvider& images, const Progress& progress) {
-    if (options.output.empty()) return io::SaveReport{};
+    if (options.output.empty()) {
+        io::SaveReport nothing;
+        nothing.warnings = missing_of_model(document);
+        return nothing;
+    }
     io::SaveOptions save = options.save;
     save.keep_maps = !options.maps_folder.empty();
     return io::save_document(document, images, options.output, save, progress);

@@ -44,11 +44,11 @@ std::vector<std::string> image_faults(const io::LoadedDocument& loaded) {
 /// What real surfaces hardly are, of the slots that are one value everywhere. Base colours of
 /// non-metals lie between charcoal and fresh snow, of metals above titanium: linear 0.02 to 0.9
 /// and 0.4 (measured values as collected for physically based shading, such as Lagarde's charts).
-std::vector<std::string> implausible(const Material& material) {
+std::vector<std::string> implausible(const Document& document, const Material& material) {
     constexpr float kDarkest = 0.02f;
     constexpr float kBrightest = 0.9f;
     constexpr float kDarkestMetal = 0.4f;
-    const Program program = Program::compile(material);
+    const Program program = Program::compile(document, material);
     const auto constant = [&](Slot slot) {
         return std::get_if<SlotConstant>(&program.slots()[static_cast<std::size_t>(slot)]);
     };
@@ -75,7 +75,7 @@ std::vector<std::string> implausible(const Material& material) {
 Findings findings_of(const io::LoadedDocument& loaded) {
     Findings findings = {.faults = image_faults(loaded), .warnings = loaded.warnings};
     for (const MaterialPtr& material : loaded.document->materials)
-        for (std::string& line : implausible(*material))
+        for (std::string& line : implausible(*loaded.document, *material))
             findings.warnings.push_back(std::move(line));
     return findings;
 }

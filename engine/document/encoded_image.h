@@ -21,15 +21,14 @@ class EncodedImage {
     /// None.
     EncodedImage() = default;
     EncodedImage(std::shared_ptr<const Bytes> bytes);
-    /// `make` is called once at most and let go of then. `held_bytes`: what it keeps alive till
-    /// then.
-    static EncodedImage when_asked(Make make, std::size_t held_bytes);
+    /// `make` is called once at most and let go of then.
+    static EncodedImage when_asked(Make make);
 
     /// Whether there are any.
     explicit operator bool() const { return state_ != nullptr; }
     /// Null where there are none or they could not be made.
     std::shared_ptr<const Bytes> bytes() const;
-    /// What it costs now.
+    /// 0 for what is not made: pixels count where they are decoded.
     std::size_t bytes_in_memory() const;
 
   private:

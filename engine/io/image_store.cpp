@@ -178,7 +178,7 @@ Result<ImageAssetPtr> ImageStore::add_as_png(const Bytes& file, const ImagePtr& 
         return png ? std::make_shared<const Bytes>(std::move(*png)) : nullptr;
     };
     auto made = std::make_shared<ImageAsset>(
-        *asset_of(hash, *image, name, "image/png", EncodedImage::when_asked(encode, size_bytes)));
+        *asset_of(hash, *image, name, "image/png", EncodedImage::when_asked(encode)));
     made->color_space = color_space;  // which the PNG will say nothing of
     state_->keep(hash, image);
     state_->keep_asset(file_hash, made);

@@ -182,7 +182,7 @@ void Session::explain(ViewState& view, glm::vec2 at) {
     view.crosshair = at;
     view.material = material->id;
     texel_ = TexelShown{.probe = *probe, .pixel = picture_.pixel(at), .material = material->id};
-    explained_.reset();
+    explained_ = {};
     follow_texel(view);
 }
 
@@ -191,8 +191,12 @@ void Session::follow_texel(const ViewState& view) {
     const MaterialPtr material = find_material(document(), texel_->material);
     if (!material) return texel_.reset();
     const std::optional<Channel> channel = stack_channel(view.view.channel);
-    if (explained_ == material && texel_->channel == channel) return;
-    explained_ = material;
+    const auto surfaces = live_.surfaces();
+    const auto shown = surfaces.find(material->id);
+    const UvSurfacePtr last = shown != surfaces.end() ? shown->second : nullptr;
+    const Explained wanted{material, last};
+    if (explained_ == wanted && texel_->channel == channel) return;
+    explained_ = wanted;
     const int size = material->resolution;
     const auto texel_at = [size](float uv) {
         const float wrapped = uv - std::floor(uv);
@@ -203,8 +207,8 @@ void Session::follow_texel(const ViewState& view) {
     texel_->channel = channel;
     texel_->steps.clear();
     if (!channel) return;
-    auto steps = explain_texel(*material, surface_read(*history_->document(), *material), *images_,
-                               *channel, size, texel_->texel_x, texel_->texel_y);
+    auto steps = explain_texel(*material, surface_read(*history_->document(), *material, last),
+                               *images_, *channel, size, texel_->texel_x, texel_->texel_y);
     if (steps)
         texel_->steps = std::move(*steps);
     else

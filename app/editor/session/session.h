@@ -164,7 +164,13 @@ class Session {
     std::optional<glm::vec2> compared_at_;  ///< where its values are of
     int compared_picture_ = -1;             ///< and of which picture it is
     std::optional<TexelShown> texel_;
-    MaterialPtr explained_;  ///< as of which texel_ is explained
+    /// As of which texel_ is explained.
+    struct Explained {
+        MaterialPtr material;
+        UvSurfacePtr surface;  ///< that its layers read as it is shown, or null
+        bool operator==(const Explained&) const = default;
+    };
+    Explained explained_;
     std::optional<render::Probe> hovered_;
     std::vector<JobShown> jobs_shown_;
     std::vector<Toast> toasts_;
