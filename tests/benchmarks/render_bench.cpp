@@ -93,7 +93,6 @@ void frame_bare(benchmark::State& run) {
     GpuScene uploaded = upload_scene(scene);
     RendererState state(
         value_or_exit(resource_folder("shaders")), value_or_exit(GpuMaterials::make()),
-        value_or_exit(upload_environment_brdf()),
         value_or_exit(upload_ground_shadow(ground_shadow(*scene, uploaded.bounds_world))));
     state.scene = std::move(uploaded);
     state.environment = value_or_exit(
