@@ -77,23 +77,14 @@ void print(const BakeReport& baked) {
             fmt::print("UVs of {}: {}\n", quoted_for_message(name), uv_layout_words(layout));
 }
 
-/// What layers read of the model and is not there; a save says it by itself.
-std::vector<std::string> missing_of_model(const Document& document) {
-    std::vector<std::string> lines;
-    for (const MaterialPtr& material : document.materials)
-        if (const UvSurfacePtr surface = surface_read(document, *material))
-            for (const std::string& line : missing_of_surface(*material, *surface))
-                lines.push_back(fmt::format("material \"{}\": {}",
-                                            quoted_for_message(material->name, 60), line));
-    return lines;
-}
-
-/// Nothing where only the maps are asked for.
+/// Nothing where only the maps are asked for, but what a save would say of the model.
 Result<io::SaveReport> save(const BakeOptions& options, const Document& document,
                             ImageProvider& images, const Progress& progress) {
     if (options.output.empty()) {
         io::SaveReport nothing;
-        nothing.warnings = missing_of_model(document);
+        for (const MaterialPtr& material : document.materials)
+            for (std::string& line : warnings_of_surface(document, *material))
+                nothing.warnings.push_back(std::move(line));
         return nothing;
     }
     io::SaveOptions save = options.save;

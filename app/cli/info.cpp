@@ -133,16 +133,13 @@ Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
 std::vector<std::string_view> read_of_model(const Layer& layer) {
     std::set<std::string_view> found;
     const auto look = [&](const Source& source) {
-        if (const auto* image = std::get_if<ImageSource>(&source))
-            found.insert(choice(image->projection.kind).id);
-        if (const auto* noise = std::get_if<ProceduralSource>(&source))
-            found.insert(choice(noise->projection.kind).id);
+        if (const auto projection = projection_of(source))
+            found.insert(choice(projection->kind).id);
         if (std::holds_alternative<GeometrySource>(source)) found.insert("parts");
     };
     for (const ChannelSettings& settings : layer.channels)
         if (settings.enabled) look(settings.source);
     for (const MaskEntry& entry : layer.mask.entries) look(entry.source);
-    found.erase(choice(ProjectionKind::Uv).id);
     return {found.begin(), found.end()};
 }
 

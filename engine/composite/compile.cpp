@@ -9,6 +9,7 @@
 #include "composite/source_record.h"
 #include "composite/surface_sources.h"
 #include "composite/uniform_values.h"
+#include "document/worn_surface.h"
 
 namespace patina {
 namespace {

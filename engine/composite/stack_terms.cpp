@@ -5,6 +5,7 @@
 
 #include "composite/surface_sources.h"
 #include "composite/uniform_values.h"
+#include "document/worn_surface.h"
 
 namespace patina {
 namespace {

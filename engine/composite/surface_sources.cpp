@@ -146,14 +146,6 @@ class ProjectedTile {
 
 }  // namespace
 
-std::optional<Projection> projection_of(const Source& source) {
-    const Projection* projection = nullptr;
-    if (const auto* image = std::get_if<ImageSource>(&source)) projection = &image->projection;
-    if (const auto* noise = std::get_if<ProceduralSource>(&source)) projection = &noise->projection;
-    if (projection == nullptr || projection->kind == ProjectionKind::Uv) return std::nullopt;
-    return *projection;
-}
-
 std::vector<std::uint8_t> chosen_parts(const GeometrySource& source, const UvSurface& surface) {
     std::vector<std::uint8_t> chosen;
     for (const SurfacePart& part : surface.parts()) chosen.push_back(is_chosen(source, part));

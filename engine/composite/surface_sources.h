@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "composite/operations.h"
@@ -16,9 +15,6 @@
 #include "scene/uv_map.h"
 
 namespace patina {
-
-/// The projection of an image or procedural; unset of what is not projected.
-std::optional<Projection> projection_of(const Source& source);
 
 /// For each part of the surface, whether the source picks it.
 std::vector<std::uint8_t> chosen_parts(const GeometrySource& source, const UvSurface& surface);

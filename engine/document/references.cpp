@@ -8,12 +8,6 @@
 namespace patina {
 namespace {
 
-template <typename LayerType, typename Visit>
-void for_each_own_source(LayerType& layer, const Visit& visit) {
-    for (auto& settings : layer.channels) visit(settings.source);
-    for (auto& entry : layer.mask.entries) visit(entry.source);
-}
-
 bool has_references(const LayerList& layers) {
     bool found = false;
     for_each_source(layers, [&](const Source& source) {

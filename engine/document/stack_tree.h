@@ -31,13 +31,18 @@ int layer_count(const LayerList& layers);
 /// The deepest nesting: 1 when there is no group with children.
 int layer_depth(const LayerList& layers);
 
-/// Calls visit(source) for what each channel and mask entry of the layers reads, on or off, groups
-/// before their children.
+/// Calls visit(source) for what each channel and mask entry of the layer itself reads, on or off.
+template <typename LayerType, typename Visit>
+void for_each_own_source(LayerType& layer, const Visit& visit) {
+    for (auto& settings : layer.channels) visit(settings.source);
+    for (auto& entry : layer.mask.entries) visit(entry.source);
+}
+
+/// The same for all of the layers, groups before their children.
 template <typename Visit>
 void for_each_source(const LayerList& layers, const Visit& visit) {
     for (const LayerPtr& layer : layers) {
-        for (const ChannelSettings& settings : layer->channels) visit(settings.source);
-        for (const MaskEntry& entry : layer->mask.entries) visit(entry.source);
+        for_each_own_source(*layer, visit);
         if (const auto* group = std::get_if<GroupContent>(&layer->content))
             for_each_source(group->children, visit);
     }

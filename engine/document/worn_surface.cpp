@@ -50,14 +50,18 @@ UvSurfacePtr worn_surface(const Document& document, const Material& material,
     return std::make_shared<const UvSurface>(scene, std::move(parts), material.uv_set);
 }
 
+std::optional<Projection> projection_of(const Source& source) {
+    const Projection* projection = nullptr;
+    if (const auto* image = std::get_if<ImageSource>(&source)) projection = &image->projection;
+    if (const auto* noise = std::get_if<ProceduralSource>(&source)) projection = &noise->projection;
+    if (projection == nullptr || projection->kind == ProjectionKind::Uv) return std::nullopt;
+    return *projection;
+}
+
 bool reads_surface(const Material& material) {
     bool found = false;
     for_each_source(material.stack, [&](const Source& source) {
-        if (const auto* image = std::get_if<ImageSource>(&source))
-            found = found || image->projection.kind != ProjectionKind::Uv;
-        if (const auto* noise = std::get_if<ProceduralSource>(&source))
-            found = found || noise->projection.kind != ProjectionKind::Uv;
-        found = found || std::holds_alternative<GeometrySource>(source);
+        found = found || projection_of(source) || std::holds_alternative<GeometrySource>(source);
     });
     return found;
 }
@@ -79,23 +83,31 @@ std::vector<std::string> missing_of_surface(const Material& material, const UvSu
         materials.insert(part.material);
     }
     std::set<std::string> missing;
+    const auto look = [&](const std::vector<std::string>& picked,
+                          const std::set<std::string>& known, std::string_view what,
+                          std::string_view fault) {
+        for (const std::string& name : picked)
+            if (!known.contains(name))
+                missing.insert(fmt::format("a mask picks {}\"{}\", but {}", what,
+                                           quoted_for_message(name, 60), fault));
+    };
     for_each_source(material.stack, [&](const Source& source) {
         const auto* const geometry = std::get_if<GeometrySource>(&source);
         if (geometry == nullptr) return;
-        for (const std::string& name : geometry->meshes)
-            if (!names.contains(name))
-                missing.insert(
-                    fmt::format("a mask picks \"{}\", but no part that wears it has "
-                                "that name",
-                                quoted_for_message(name, 60)));
-        for (const std::string& name : geometry->materials)
-            if (!materials.contains(name))
-                missing.insert(
-                    fmt::format("a mask picks parts of \"{}\", but none that wears it "
-                                "is of that material",
-                                quoted_for_message(name, 60)));
+        look(geometry->meshes, names, "", "no part that wears it has that name");
+        look(geometry->materials, materials, "parts of ", "none that wears it is of that material");
     });
     return {missing.begin(), missing.end()};
+}
+
+std::vector<std::string> warnings_of_surface(const Document& document, const Material& material,
+                                             const UvSurfacePtr& last) {
+    const UvSurfacePtr surface = surface_read(document, material, last);
+    if (surface == nullptr) return {};
+    std::vector<std::string> lines = missing_of_surface(material, *surface);
+    for (std::string& line : lines)
+        line = fmt::format("material \"{}\": {}", quoted_for_message(material.name, 60), line);
+    return lines;
 }
 
 }  // namespace patina

@@ -56,7 +56,8 @@ class MaterialWriter {
         : save_(save),
           now_(std::move(now)),
           before_(before),
-          program_(Program::compile(save.document, now_)) {}
+          program_(Program::compile(save.document, now_)),
+          islands_(dilated_by(save.document, now_, program_)) {}
 
     Result<EncodedMaps> write() {
         open();
@@ -94,11 +95,8 @@ class MaterialWriter {
     }
 
     void note_what_is_missing() {
-        if (!reads_surface(now_)) return;
-        const UvSurfacePtr surface = worn_surface(save_.document, now_, program_.data().surface);
-        for (const std::string& line : missing_of_surface(now_, *surface))
-            save_.warnings.push_back(
-                fmt::format("material \"{}\": {}", quoted_for_message(now_.name, 60), line));
+        for (std::string& line : warnings_of_surface(save_.document, now_, program_.data().surface))
+            save_.warnings.push_back(std::move(line));
     }
 
     /// What the settings in the JSON are those of, or null where it has none yet.
@@ -133,11 +131,10 @@ class MaterialWriter {
         if (!before_) return replace_specular_glossiness();
         const Document& opened = save_.document.opened ? *save_.document.opened : save_.document;
         const Program old = Program::compile(opened, *before_);
-        const UvSurfacePtr islands = dilated_by(save_.document, now_, program_);
         const UvSurfacePtr old_islands = dilated_by(opened, *before_, old);
-        const bool same_islands = islands == nullptr || old_islands == nullptr
-                                      ? islands == old_islands
-                                      : islands->hash() == old_islands->hash();
+        const bool same_islands = islands_ == nullptr || old_islands == nullptr
+                                      ? islands_ == old_islands
+                                      : islands_->hash() == old_islands->hash();
         const bool same_layout = now_.resolution == before_->resolution &&
                                  now_.uv_set == before_->uv_set && same_islands;
         for (const Slot slot : kSlots)
@@ -175,9 +172,9 @@ class MaterialWriter {
             if (is_baked(slot) && changed_[as_index(slot)]) wanted.insert(baked_map_of(slot));
             if (varies && needs_stand_in_ && averaged(slot)) wanted.insert(baked_map_of(slot));
         }
-        auto maps = bake_and_encode(program_, dilated_by(save_.document, now_, program_),
-                                    save_.pixels, save_.size.value_or(now_.resolution),
-                                    {wanted.begin(), wanted.end()}, save_.progress);
+        auto maps =
+            bake_and_encode(program_, islands_, save_.pixels, save_.size.value_or(now_.resolution),
+                            {wanted.begin(), wanted.end()}, save_.progress);
         if (!maps)
             return failure("material \"{}\": {}", quoted_for_message(now_.name, 60),
                            maps.error().message);
@@ -317,6 +314,7 @@ class MaterialWriter {
     Material now_;
     const Material* before_;
     Program program_;
+    UvSurfacePtr islands_;  ///< what baked maps are dilated by, or null
     int index_ = 0;
     int stand_in_ = -1;
     Json json_;

@@ -54,11 +54,9 @@ std::vector<EditedMaterial> edited_materials(const Document& document,
             document.opened ? find_material(*document.opened, now->id) : nullptr;
         const bool is_unchanged =
             before && (now == before || same_content(document, *now, *document.opened, *before));
-        if (is_unchanged && reads_other_parts(document, *now, *before)) {
-            edited.push_back({now, before});
+        if (is_unchanged && !without_uvs.contains(now->id) &&
+            !reads_other_parts(document, *now, *before))
             continue;
-        }
-        if (is_unchanged && !without_uvs.contains(now->id)) continue;
         edited.push_back({now, before});
     }
     return edited;
