@@ -13,17 +13,17 @@
 namespace patina::io {
 namespace {
 
-ImageAssetPtr asset_of(const Hash128& hash, const Image& image, std::string_view name,
-                       std::string_view mime_type, EncodedImage encoded) {
-    auto asset = std::make_shared<ImageAsset>();
-    asset->hash = hash;
-    asset->name = name;
-    asset->mime_type = mime_type;
-    asset->encoded = std::move(encoded);
-    asset->width = image.width;
-    asset->height = image.height;
-    asset->channels = image.channels;
-    asset->type = image.type;
+ImageAsset asset_of(const Hash128& hash, const Image& image, std::string_view name,
+                    std::string_view mime_type, EncodedImage encoded) {
+    ImageAsset asset;
+    asset.hash = hash;
+    asset.name = name;
+    asset.mime_type = mime_type;
+    asset.encoded = std::move(encoded);
+    asset.width = image.width;
+    asset.height = image.height;
+    asset.channels = image.channels;
+    asset.type = image.type;
     return asset;
 }
 
@@ -102,9 +102,13 @@ struct ImageStore::State {
         const auto found = assets.find(encoded);
         return found == assets.end() ? nullptr : found->second;
     }
-    void keep_asset(const Hash128& encoded, const ImageAssetPtr& asset) {
+    /// Takes in reserved pixels and what is known of them, under the hash of their file.
+    ImageAssetPtr keep_asset(const Hash128& file, ImagePtr image, ImageAsset made) {
+        keep(made.hash, std::move(image));
+        const auto asset = std::make_shared<const ImageAsset>(std::move(made));
         const std::lock_guard lock(mutex);
-        assets.emplace(encoded, asset);
+        assets.emplace(file, asset);
+        return asset;
     }
 };
 
@@ -126,13 +130,10 @@ Result<ImageAssetPtr> ImageStore::add(std::shared_ptr<const Bytes> encoded, std:
         return passed_on(image);
     }
     const Hash128 hash = content_hash(**image);
-    auto made = std::make_shared<ImageAsset>(
-        *asset_of(hash, **image, name, mime_type_of_format(header->format), std::move(encoded)));
-    made->color_space = header->color_space;
-    const ImageAssetPtr asset = std::move(made);
-    state_->keep(hash, *image);
-    state_->keep_asset(encoded_hash, asset);
-    return asset;
+    ImageAsset asset =
+        asset_of(hash, **image, name, mime_type_of_format(header->format), std::move(encoded));
+    asset.color_space = header->color_space;
+    return state_->keep_asset(encoded_hash, *image, std::move(asset));
 }
 
 Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
@@ -149,6 +150,8 @@ Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
         if (!asset) return named(asset.error());
         return asset;
     }
+    const Hash128 file_hash = hash_bytes(*encoded);
+    if (const auto known = state_->find_asset(file_hash)) return known;
     const auto image = decode_image(*encoded, name, state_->limits);
     if (!image) return named(image.error());
     const bool is_float = (*image)->type == SampleType::F32;
@@ -159,36 +162,31 @@ Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
     }
     const auto header = read_image_header(*encoded, name);
     if (!header) return named(header.error());
-    auto asset =
-        add_as_png(*encoded, is_float ? shared_as_u16(**image) : *image, name, header->color_space);
+    auto asset = add_as_png(file_hash, is_float ? shared_as_u16(**image) : *image, name,
+                            header->color_space);
     if (!asset) return named(asset.error());
     return asset;
 }
 
 /// Takes decoded pixels in, which are to be carried as PNG once they are saved.
-Result<ImageAssetPtr> ImageStore::add_as_png(const Bytes& file, const ImagePtr& image,
+Result<ImageAssetPtr> ImageStore::add_as_png(const Hash128& file, const ImagePtr& image,
                                              std::string_view name, ColorSpace color_space) {
-    const Hash128 file_hash = hash_bytes(file);
-    if (const auto known = state_->find_asset(file_hash)) return known;
-    const std::size_t size_bytes = image->data.size();
-    if (const auto fits = state_->reserve(size_bytes); !fits) return passed_on(fits);
-    const Hash128 hash = content_hash(*image);
+    if (const auto fits = state_->reserve(image->data.size()); !fits) return passed_on(fits);
     const auto encode = [image]() -> std::shared_ptr<const Bytes> {
         auto png = encode_png(*image);
         return png ? std::make_shared<const Bytes>(std::move(*png)) : nullptr;
     };
-    auto made = std::make_shared<ImageAsset>(
-        *asset_of(hash, *image, name, "image/png", EncodedImage::when_asked(encode)));
-    made->color_space = color_space;  // which the PNG will say nothing of
-    state_->keep(hash, image);
-    state_->keep_asset(file_hash, made);
-    return ImageAssetPtr(std::move(made));
+    ImageAsset asset =
+        asset_of(content_hash(*image), *image, name, "image/png", EncodedImage::when_asked(encode));
+    asset.color_space = color_space;  // which the PNG will say nothing of
+    return state_->keep_asset(file, image, std::move(asset));
 }
 
 ImageAssetPtr ImageStore::add_placeholder(const Hash128& hash, std::string_view name,
                                           std::shared_ptr<const Bytes> encoded) {
     const ImagePtr image = placeholder_image();
-    auto asset = asset_of(hash, *image, name, {}, std::move(encoded));
+    auto asset =
+        std::make_shared<const ImageAsset>(asset_of(hash, *image, name, {}, std::move(encoded)));
     const std::lock_guard lock(state_->mutex);
     state_->pixels.try_emplace(hash, image);
     return asset;

@@ -54,7 +54,7 @@ class ImageStore final : public ImageProvider {
     std::size_t decoded_bytes() const;
 
   private:
-    Result<ImageAssetPtr> add_as_png(const Bytes& file, const ImagePtr& image,
+    Result<ImageAssetPtr> add_as_png(const Hash128& file, const ImagePtr& image,
                                      std::string_view name, ColorSpace color_space);
 
     struct State;
