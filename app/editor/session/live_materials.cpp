@@ -28,18 +28,25 @@ LiveMaterials::~LiveMaterials() {
     thread_.join();
 }
 
-void LiveMaterials::show(const Document& document, std::vector<MaterialPtr> materials,
+void LiveMaterials::show(const DocumentPtr& document, std::vector<MaterialPtr> materials,
                          std::shared_ptr<ImageProvider> images, MaterialId first) {
+    // Only this thread changes what is wanted: it may look without the lock.
+    const auto is_wanted = [](const MaterialPtr& material, const Worn& worn) {
+        return material == worn.material;
+    };
+    const bool as_before =
+        document == document_ && images == images_ &&
+        std::equal(materials.begin(), materials.end(), wanted_.begin(), wanted_.end(), is_wanted);
     std::vector<Worn> wanted;
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        // Only this thread changes what is wanted.
-        const UvSurfacePtr last = i < wanted_.size() ? wanted_[i].surface : nullptr;
-        UvSurfacePtr surface = surface_read(document, *materials[i], last);
-        wanted.push_back({std::move(materials[i]), std::move(surface)});
-    }
+    if (!as_before)
+        for (MaterialPtr& material : materials) {
+            UvSurfacePtr surface = surface_read(*document, *material, surface_of(material->id));
+            wanted.push_back({std::move(material), std::move(surface)});
+        }
+    document_ = document;
     {
         const std::lock_guard lock(mutex_);
-        if (wanted == wanted_ && images == images_) {
+        if (as_before || (wanted == wanted_ && images == images_)) {
             first_ = first;
             return;
         }
@@ -57,6 +64,12 @@ std::map<MaterialId, UvSurfacePtr> LiveMaterials::surfaces() const {
     for (const Worn& worn : wanted_)
         if (worn.surface) surfaces.emplace(worn.material->id, worn.surface);
     return surfaces;
+}
+
+UvSurfacePtr LiveMaterials::surface_of(MaterialId material) const {
+    for (const Worn& worn : wanted_)
+        if (worn.material->id == material) return worn.surface;
+    return nullptr;
 }
 
 std::vector<LiveMaterials::Changed> LiveMaterials::take() {

@@ -39,11 +39,13 @@ class LiveMaterials {
 
     /// Shows these materials from now on. Work on older ones is cut short.
     /// @param materials  those of the document, some of which may be stood in for
-    void show(const Document& document, std::vector<MaterialPtr> materials,
+    void show(const DocumentPtr& document, std::vector<MaterialPtr> materials,
               std::shared_ptr<ImageProvider> images, MaterialId first);
     /// What layers of each material that is shown read of the model; those that read nothing of it
     /// are left out. Asked for by the thread that calls show().
     std::map<MaterialId, UvSurfacePtr> surfaces() const;
+    /// The one of that material, or null.
+    UvSurfacePtr surface_of(MaterialId material) const;
     /// What changed since the last call.
     std::vector<Changed> take();
     /// Everything wanted has been made and taken.
@@ -76,6 +78,7 @@ class LiveMaterials {
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable work_;
+    DocumentPtr document_;  ///< that `wanted_` is of
     std::vector<Worn> wanted_;
     std::shared_ptr<ImageProvider> images_;
     MaterialId first_;

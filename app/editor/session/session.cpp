@@ -191,9 +191,7 @@ void Session::follow_texel(const ViewState& view) {
     const MaterialPtr material = find_material(document(), texel_->material);
     if (!material) return texel_.reset();
     const std::optional<Channel> channel = stack_channel(view.view.channel);
-    const auto surfaces = live_.surfaces();
-    const auto shown = surfaces.find(material->id);
-    const UvSurfacePtr last = shown != surfaces.end() ? shown->second : nullptr;
+    const UvSurfacePtr last = live_.surface_of(material->id);
     const Explained wanted{material, last};
     if (explained_ == wanted && texel_->channel == channel) return;
     explained_ = wanted;
@@ -248,7 +246,7 @@ void Session::show_materials(const ViewState& view) {
     for (MaterialPtr& material : materials)
         if (material->id == view.material && (view.viewed_mask.value != 0 || view.solo.value != 0))
             material = part_of(material, view);
-    live_.show(*history_->document(), std::move(materials), images_, view.material);
+    live_.show(history_->document(), std::move(materials), images_, view.material);
     thumbnails_.set_surfaces(live_.surfaces());
     picture_.assign_materials(assigned_numbers(*history_->document()));
 }
