@@ -173,14 +173,15 @@ Requests draw_compare_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewStat
         view.compare = render::CompareMode::TwoViews;
         view.channel = render::ChannelView::Final;
     }
-    if (render::shows_traditional(view)) {
-        const Place place(ui, "Phong");
-        if (unfold(ui, rest, "Phong", state.unfolded.phong)) phong_fields(ui, rest, view);
-    }
     rest.cut_top(ui.px(6));
     if (unfold(ui, rest, "Cost", state.unfolded.cost))
         draw_table(ui, rest, view, cost_rows(shown.cost.frame));
     if (shown.comparison) draw_comparison(ui, rest, *shown.comparison, state);
+    // Last: what is compared is looked at far more often than it is set.
+    if (render::shows_traditional(view)) {
+        const Place place(ui, "Phong");
+        if (unfold(ui, rest, "Phong", state.unfolded.phong)) phong_fields(ui, rest, view);
+    }
     area.set_height(rest.y0 - top + ui.px(12));
     return {};
 }
