@@ -76,23 +76,23 @@ Requests draw_geometry(Ui& ui, Rect& rest, const SourcePlace& place, const Geome
 
 Requests draw_projection(Ui& ui, Rect& rest, const SourcePlace& place, const Projection& now) {
     Requests requests;
-    const auto boxes = side_by_side<2>(ui, next_line(ui, rest));
     Projection changed = now;
     if (const auto kind =
-            parameter_combo(ui, boxes[0], Parameter::ProjectionKindChoice, now.kind)) {
+            parameter_combo(ui, next_line(ui, rest), Parameter::ProjectionKindChoice, now.kind)) {
         changed.kind = *kind;
         requests.edit(set_projection(place, changed, Parameter::ProjectionKindChoice));
     }
     if (now.kind == ProjectionKind::Planar) {
-        if (const auto axis =
-                parameter_combo(ui, boxes[1], Parameter::ProjectionAxisChoice, now.axis)) {
+        if (const auto axis = parameter_combo(ui, next_line(ui, rest),
+                                              Parameter::ProjectionAxisChoice, now.axis)) {
             changed.axis = *axis;
             requests.edit(set_projection(place, changed, Parameter::ProjectionAxisChoice));
         }
     }
     if (now.kind == ProjectionKind::TriPlanar) {
-        if (const auto blend = number_field(ui, boxes[1], number_spec(Parameter::ProjectionBlend),
-                                            static_cast<double>(now.blend))) {
+        if (const auto blend =
+                number_field(ui, next_line(ui, rest), number_spec(Parameter::ProjectionBlend),
+                             static_cast<double>(now.blend))) {
             changed.blend = static_cast<float>(*blend);
             requests.edit(set_projection(place, changed, Parameter::ProjectionBlend));
         }
