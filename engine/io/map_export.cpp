@@ -149,13 +149,13 @@ class Exporter {
         const Program program = Program::compile(document_, material);
         const int size = options_.size.value_or(material.resolution);
         std::vector<Wanted> to_bake;
-        for (Wanted& wanted : varying_maps(program)) {
+        for (const Wanted& wanted : varying_maps(program)) {
             const Result<bool> written = write_baked(material, wanted, size);
             if (!written) return passed_on(written);
-            if (!*written) to_bake.push_back(std::move(wanted));
+            if (!*written) to_bake.push_back(wanted);
         }
         const UvSurfacePtr islands = dilated_by(document_, material, program);
-        for (const std::vector<Wanted>& group : baked_together(std::move(to_bake), size)) {
+        for (const std::vector<Wanted>& group : baked_together(to_bake, size)) {
             auto planes =
                 bake_channels(program, images_, size, channels_of(maps_of(group)), progress_);
             if (!planes) return passed_on(planes);
@@ -185,15 +185,16 @@ class Exporter {
     }
 
     /// In groups whose channels fit into memory together: what they share is computed once.
-    std::vector<std::vector<Wanted>> baked_together(std::vector<Wanted> maps, int size) const {
+    std::vector<std::vector<Wanted>> baked_together(const std::vector<Wanted>& maps,
+                                                    int size) const {
         std::vector<std::vector<Wanted>> groups;
-        for (Wanted& map : maps) {
+        for (const Wanted& map : maps) {
             if (!groups.empty()) {
                 groups.back().push_back(map);
                 if (bytes_of(channels_of(maps_of(groups.back())), size) <= kBytesTogether) continue;
                 groups.back().pop_back();
             }
-            groups.push_back({std::move(map)});
+            groups.push_back({map});
         }
         return groups;
     }
