@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/baked_files.h"
 
+#include <bit>
+#include <cstring>
+
 #include "composite/dilate.h"
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
@@ -15,6 +18,21 @@ bool alpha_is_opaque(const Image& rgba) {
     return true;
 }
 
+/// RGB8 of RGBA8, four texels at a time in three words.
+void copy_without_alpha(const std::byte* rgba, std::byte* rgb, std::int64_t texels) {
+    static_assert(std::endian::native == std::endian::little);
+    std::int64_t i = 0;
+    for (; i + 4 <= texels; i += 4) {
+        std::array<std::uint32_t, 4> in = {};
+        std::memcpy(in.data(), rgba + i * 4, sizeof in);
+        const std::array<std::uint32_t, 3> out = {(in[0] & 0xffffffu) | in[1] << 24,
+                                                  (in[1] >> 8 & 0xffffu) | in[2] << 16,
+                                                  (in[2] >> 16 & 0xffu) | in[3] << 8};
+        std::memcpy(rgb + i * 3, out.data(), sizeof out);
+    }
+    for (; i < texels; ++i) std::memcpy(rgb + i * 3, rgba + i * 4, 3);
+}
+
 /// The same RGBA8 map as RGB8 where its alpha says nothing.
 ImagePtr without_opaque_alpha(const ImagePtr& map) {
     const bool rgba8 = map->channels == 4 && map->type == SampleType::U8;
@@ -24,12 +42,10 @@ ImagePtr without_opaque_alpha(const ImagePtr& map) {
     rgb->height = map->height;
     rgb->channels = 3;
     rgb->data.resize(rgb->row_bytes() * static_cast<std::size_t>(rgb->height));
-    const std::byte* const in = map->data.data();
-    std::byte* const out = rgb->data.data();
     parallel_for(0, static_cast<std::int64_t>(rgb->data.size() / 3), 1 << 16,
                  [&](std::int64_t first, std::int64_t last) {
-                     for (std::int64_t i = first; i < last; ++i)
-                         for (std::int64_t c = 0; c < 3; ++c) out[i * 3 + c] = in[i * 4 + c];
+                     copy_without_alpha(map->data.data() + first * 4, rgb->data.data() + first * 3,
+                                        last - first);
                  });
     return rgb;
 }
@@ -46,17 +62,27 @@ std::array<double, 256> byte_values(bool srgb) {
 
 }  // namespace
 
+Result<MapSet> bake_for_files(const Program& program, const UvSurfacePtr& islands,
+                              ImageProvider& images, int size, const std::vector<BakedMap>& wanted,
+                              const Progress& progress) {
+    if (wanted.empty()) return MapSet{};
+    auto baked = bake_maps(program, images, size, wanted, progress);
+    if (!baked) return baked;
+    if (islands != nullptr) dilate(*islands, *baked);
+    for (ImagePtr& map : baked->maps)
+        if (map) map = without_opaque_alpha(map);
+    return baked;
+}
+
 Result<EncodedMaps> bake_and_encode(const Program& program, const UvSurfacePtr& islands,
                                     ImageProvider& images, int size,
                                     const std::vector<BakedMap>& wanted, const Progress& progress) {
+    const auto baked = bake_for_files(program, islands, images, size, wanted, progress);
+    if (!baked) return passed_on(baked);
     EncodedMaps encoded;
-    if (wanted.empty()) return encoded;
-    auto maps = bake_maps(program, images, size, wanted, progress);
-    if (!maps) return passed_on(maps);
-    if (islands != nullptr) dilate(*islands, *maps);
     for (const BakedMap map : wanted) {
         auto file = std::make_shared<EncodedMap>();
-        file->image = without_opaque_alpha((*maps)[map]);
+        file->image = (*baked)[map];
         auto png = encode_png(*file->image, {}, progress);
         if (!png) return passed_on(png);
         file->png = std::make_shared<const Bytes>(std::move(*png));

@@ -13,14 +13,19 @@
 namespace patina::io {
 
 struct EncodedMap {
-    ImagePtr image;  ///< without an alpha channel that is opaque everywhere
+    ImagePtr image;
     std::shared_ptr<const Bytes> png;
     Hash128 pixels;  ///< content_hash of `image`
 };
 /// By BakedMap; those that were not asked for are null.
 using EncodedMaps = std::array<std::shared_ptr<const EncodedMap>, kBakedMapCount>;
 
+/// Bakes maps as files hold them: dilated, and without an alpha channel that is opaque everywhere.
 /// @param islands  what the maps are dilated by, or null
+Result<MapSet> bake_for_files(const Program& program, const UvSurfacePtr& islands,
+                              ImageProvider& images, int size, const std::vector<BakedMap>& wanted,
+                              const Progress& progress);
+/// The same, encoded.
 Result<EncodedMaps> bake_and_encode(const Program& program, const UvSurfacePtr& islands,
                                     ImageProvider& images, int size,
                                     const std::vector<BakedMap>& wanted, const Progress& progress);

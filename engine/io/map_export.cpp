@@ -2,6 +2,7 @@
 #include "io/map_export.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -23,6 +24,10 @@ int bits_of(const MapExportOptions& options) {
 /// Whether the numbers are kept as floats, colours linear.
 bool keeps_floats(const MapExportOptions& options) {
     return options.format == ImageFormat::Exr || options.bits == 32;
+}
+
+bool holds_bytes(const MapExportOptions& options) {
+    return !keeps_floats(options) && bits_of(options) == 8;
 }
 
 /// The channels that the maps hold, each once.
@@ -144,18 +149,26 @@ class Exporter {
         std::size_t place;
         PackedMap map;
     };
+    /// The maps of 8 bits of one material, and the files of those that a save has encoded.
+    struct BakedBytes {
+        EncodedMaps encoded;
+        MapSet maps;
+    };
 
     Status write_maps(const Material& material) {
         const Program program = Program::compile(document_, material);
         const int size = options_.size.value_or(material.resolution);
-        std::vector<Wanted> to_bake;
-        for (const Wanted& wanted : varying_maps(program)) {
-            const Result<bool> written = write_baked(material, wanted, size);
-            if (!written) return passed_on(written);
-            if (!*written) to_bake.push_back(wanted);
-        }
         const UvSurfacePtr islands = dilated_by(document_, material, program);
-        for (const std::vector<Wanted>& group : baked_together(to_bake, size)) {
+        std::vector<Wanted> of_floats = varying_maps(program);
+        if (holds_bytes(options_)) {
+            const std::vector<Wanted> of_bytes = taken_out_bytes(of_floats);
+            const auto baked = baked_bytes(material, program, islands, size, of_bytes);
+            if (!baked) return passed_on(baked);
+            for (const Wanted& wanted : of_bytes)
+                if (const Status done = write_bytes(material, wanted, *baked, size); !done)
+                    return done;
+        }
+        for (const std::vector<Wanted>& group : baked_together(of_floats, size)) {
             auto planes =
                 bake_channels(program, images_, size, channels_of(maps_of(group)), progress_);
             if (!planes) return passed_on(planes);
@@ -165,6 +178,48 @@ class Exporter {
                     return written;
         }
         return {};
+    }
+
+    /// Takes those maps out that are put together of the bytes of baked ones.
+    static std::vector<Wanted> taken_out_bytes(std::vector<Wanted>& maps) {
+        const auto split = std::stable_partition(maps.begin(), maps.end(), [](const Wanted& each) {
+            return !baked_maps_of(each.map).has_value();
+        });
+        const std::vector<Wanted> taken(split, maps.end());
+        maps.erase(split, maps.end());
+        return taken;
+    }
+
+    /// What a save has baked of the material, of `size`.
+    EncodedMaps known_maps(const Material& material, int size) const {
+        EncodedMaps known;
+        if (options_.baked == nullptr) return known;
+        const auto found = options_.baked->find(material.id);
+        if (found == options_.baked->end()) return known;
+        for (std::size_t i = 0; i < known.size(); ++i)
+            if (found->second[i] && found->second[i]->image->width == size)
+                known[i] = found->second[i];
+        return known;
+    }
+
+    /// The baked maps that `wanted` are put together of: those that a save has, and the others.
+    Result<BakedBytes> baked_bytes(const Material& material, const Program& program,
+                                   const UvSurfacePtr& islands, int size,
+                                   const std::vector<Wanted>& wanted) const {
+        BakedBytes baked{.encoded = known_maps(material, size), .maps = {}};
+        std::set<BakedMap> missing;
+        for (const Wanted& each : wanted) {
+            const auto needed = baked_maps_of(each.map);
+            for (const BakedMap map : *needed)
+                if (!baked.encoded[static_cast<std::size_t>(map)]) missing.insert(map);
+        }
+        auto made = bake_for_files(program, islands, images_, size,
+                                   {missing.begin(), missing.end()}, progress_);
+        if (!made) return passed_on(made);
+        baked.maps = std::move(*made);
+        for (std::size_t i = 0; i < baked.encoded.size(); ++i)
+            if (baked.encoded[i]) baked.maps.maps[i] = baked.encoded[i]->image;
+        return baked;
     }
 
     std::vector<Wanted> varying_maps(const Program& program) const {
@@ -199,28 +254,26 @@ class Exporter {
         return groups;
     }
 
-    /// Writes what a save has baked already. Returns whether it had.
-    Result<bool> write_baked(const Material& material, const Wanted& wanted, int size) {
-        if (options_.baked == nullptr || keeps_floats(options_) || bits_of(options_) != 8)
-            return false;
-        const auto baked = options_.baked->find(material.id);
-        if (baked == options_.baked->end()) return false;
-        if (options_.format == ImageFormat::Png)
-            if (const auto file = same_file(wanted.map, baked->second, size)) {
-                if (const Status done = write_file(material, wanted, *file->png); !done)
-                    return passed_on(done);
-                return true;
-            }
-        const auto image = packed_bytes(wanted.map, baked->second, size);
-        if (!image) return false;
+    Status write_bytes(const Material& material, const Wanted& wanted, const BakedBytes& baked,
+                       int size) {
+        const auto same = same_map(wanted.map, baked.maps, size);
+        if (same && options_.format == ImageFormat::Png)
+            if (const auto& file = baked.encoded[static_cast<std::size_t>(*same)])
+                return write_file(material, wanted, *file->png);
+        if (same) return write_image(material, wanted, *baked.maps[*same]);
+        const auto image = packed_bytes(wanted.map, baked.maps, size);
+        assert(image);
         if (is_opacity_alone(wanted.map) &&
             std::all_of(image->data.begin(), image->data.end(),
                         [](std::byte value) { return value == std::byte{255}; }))
-            return true;
-        const auto bytes = encode_image(*image, options_.format, progress_);
+            return {};
+        return write_image(material, wanted, *image);
+    }
+
+    Status write_image(const Material& material, const Wanted& wanted, const Image& image) {
+        const auto bytes = encode_image(image, options_.format, progress_);
         if (!bytes) return passed_on(bytes);
-        if (const Status done = write_file(material, wanted, *bytes); !done) return passed_on(done);
-        return true;
+        return write_file(material, wanted, *bytes);
     }
 
     /// All of it 1 says nothing, in a file of its own too.
@@ -231,13 +284,13 @@ class Exporter {
     Status write_map(const Material& material, const Wanted& wanted, const ChannelPlanes& planes) {
         const PackedMap& map = wanted.map;
         if (is_opacity_alone(map) && is_one_everywhere(planes.plane(Channel::Opacity))) return {};
-        const SampleType type = keeps_floats(options_)    ? SampleType::F32
-                                : bits_of(options_) == 16 ? SampleType::U16
-                                                          : SampleType::U8;
+        const SampleType type = keeps_floats(options_)  ? SampleType::F32
+                                : holds_bytes(options_) ? SampleType::U8
+                                                        : SampleType::U16;
         const Image image = packed_image(map, planes, type);
         const bool half = options_.format == ImageFormat::Exr && bits_of(options_) == 16;
-        const auto bytes =
-            half ? encode_half_exr(image) : encode_image(image, options_.format, progress_);
+        if (!half) return write_image(material, wanted, image);
+        const auto bytes = encode_half_exr(image);
         if (!bytes) return passed_on(bytes);
         return write_file(material, wanted, *bytes);
     }

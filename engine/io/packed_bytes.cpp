@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/packed_bytes.h"
 
+#include <algorithm>
+
 #include "core/parallel.h"
 
 namespace patina::io {
@@ -41,47 +43,64 @@ struct Plane {
     std::byte constant = std::byte{255};
 };
 
-std::optional<Plane> plane_of(const PackedMap& map, int c, const EncodedMaps& baked, int size) {
+/// The bytes of colours are sRGB-encoded; by itself a component of one is a plain number.
+bool is_lone_component(const PackedMap& map, int c) {
+    const PackedValue& value = map.values[static_cast<std::size_t>(c)];
+    return info(*value.channel).kind == ChannelKind::Color && !(map.is_color() && c < 3);
+}
+
+std::optional<Plane> plane_of(const PackedMap& map, int c, const MapSet& baked, int size) {
     const PackedValue& value = map.values[static_cast<std::size_t>(c)];
     if (!value.channel)
         return Plane{.constant =
                          static_cast<std::byte>(static_cast<int>(value.constant * 255.0f + 0.5f))};
-    // The bytes of colours are sRGB-encoded; by itself a component of one is a plain number.
-    const bool color = info(*value.channel).kind == ChannelKind::Color;
-    if (color && !(map.is_color() && c < 3)) return std::nullopt;
     const auto place = place_of(*value.channel, value.component);
-    if (!place) return std::nullopt;
-    const auto& file = baked[static_cast<std::size_t>(place->map)];
-    if (!file || file->image->width != size || file->image->type != SampleType::U8)
-        return std::nullopt;
+    if (!place || is_lone_component(map, c)) return std::nullopt;
+    const ImagePtr& image = baked[place->map];
+    if (!image || image->width != size || image->type != SampleType::U8) return std::nullopt;
     // An alpha channel that is opaque everywhere was left out.
-    if (place->component >= file->image->channels)
+    if (place->component >= image->channels)
         return Plane{.constant = value.invert ? std::byte{0} : std::byte{255}};
     // The middle of a byte rounds upwards, that of an inverted number too: bytes do not tell which.
     if (value.invert) return std::nullopt;
-    return Plane{.image = file->image.get(), .component = place->component};
+    return Plane{.image = image.get(), .component = place->component};
+}
+
+bool is_same_map(const PackedMap& map, const Image& image, const MapSet& baked, int size) {
+    if (map.channels < image.channels) return false;
+    for (int c = 0; c < map.channels; ++c) {
+        const auto plane = plane_of(map, c, baked, size);
+        if (!plane) return false;
+        const bool left_out = c >= image.channels && map.has_opacity() && plane->image == nullptr;
+        if (!left_out && (plane->image != &image || plane->component != c)) return false;
+    }
+    return true;
 }
 
 }  // namespace
 
-std::shared_ptr<const EncodedMap> same_file(const PackedMap& map, const EncodedMaps& baked,
-                                            int size) {
-    for (const auto& file : baked) {
-        if (!file) continue;
-        bool same = map.channels >= file->image->channels;
-        for (int c = 0; c < map.channels && same; ++c) {
-            const auto plane = plane_of(map, c, baked, size);
-            const bool left_out =
-                c >= file->image->channels && plane && map.has_opacity() && plane->image == nullptr;
-            same =
-                left_out || (plane && plane->image == file->image.get() && plane->component == c);
-        }
-        if (same) return file;
+std::optional<std::vector<BakedMap>> baked_maps_of(const PackedMap& map) {
+    std::vector<BakedMap> needed;
+    for (int c = 0; c < map.channels; ++c) {
+        const PackedValue& value = map.values[static_cast<std::size_t>(c)];
+        if (!value.channel) continue;
+        const auto place = place_of(*value.channel, value.component);
+        if (!place || value.invert || is_lone_component(map, c)) return std::nullopt;
+        if (std::find(needed.begin(), needed.end(), place->map) == needed.end())
+            needed.push_back(place->map);
     }
-    return nullptr;
+    return needed;
 }
 
-std::optional<Image> packed_bytes(const PackedMap& map, const EncodedMaps& baked, int size) {
+std::optional<BakedMap> same_map(const PackedMap& map, const MapSet& baked, int size) {
+    for (int i = 0; i < kBakedMapCount; ++i) {
+        const ImagePtr& image = baked[static_cast<BakedMap>(i)];
+        if (image && is_same_map(map, *image, baked, size)) return static_cast<BakedMap>(i);
+    }
+    return std::nullopt;
+}
+
+std::optional<Image> packed_bytes(const PackedMap& map, const MapSet& baked, int size) {
     std::array<Plane, 4> planes;
     for (int c = 0; c < map.channels; ++c) {
         const auto plane = plane_of(map, c, baked, size);

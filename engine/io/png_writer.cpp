@@ -45,15 +45,6 @@ class Chunk {
     void append(std::span<const unsigned char> data) {
         bytes_.insert(bytes_.end(), data.begin(), data.end());
     }
-    /// Uninitialised room at the end; `keep_room` says how much of it was used.
-    unsigned char* add_room(std::size_t size) {
-        const std::size_t used = bytes_.size();
-        bytes_.resize(used + size);
-        return bytes_.data() + used;
-    }
-    void keep_room(std::size_t offered, std::size_t used) {
-        bytes_.resize(bytes_.size() - offered + used);
-    }
     void close() {
         const std::size_t data = bytes_.size() - kChunkHead;
         put_u32(bytes_.data(), static_cast<std::uint32_t>(data));
@@ -122,7 +113,7 @@ class RowPair {
 };
 
 void filter_strip(const Image& image, const Layout& layout, std::size_t first, std::size_t last,
-                  std::vector<unsigned char>& filtered) {
+                  PixelVector<unsigned char>& filtered) {
     const std::size_t stride = layout.row_bytes + 1;
     filtered.resize((last - first) * stride);
     RowPair rows(layout.row_bytes);
@@ -140,11 +131,13 @@ constexpr std::uint32_t level_buffer_bytes(int level) {
     return kBytes[static_cast<std::size_t>(level)];
 }
 
-/// What one thread keeps from strip to strip: the deflate state and its tables are some 400 KiB.
+/// What one thread keeps from strip to strip: the deflate state and its tables are some 400 KiB,
+/// and memory that is new to the process costs more than deflating into it.
 struct StripWorker {
     isal_zstream stream = {};
     std::vector<unsigned char> level_buffer;
-    std::vector<unsigned char> filtered;
+    PixelVector<unsigned char> filtered;
+    PixelVector<unsigned char> deflated;
 };
 
 /// Deflates onto the end of `chunk`; ended by a full flush unless it is the last strip.
@@ -161,10 +154,11 @@ bool deflate_strip(StripWorker& worker, int level, bool last, Chunk& chunk) {
     stream.avail_in = static_cast<std::uint32_t>(worker.filtered.size());
     // Incompressible bytes grow by the tables of each block only; an eighth is ample.
     const std::size_t room = worker.filtered.size() + worker.filtered.size() / 8 + 4096;
-    stream.next_out = chunk.add_room(room);
+    worker.deflated.resize(room);
+    stream.next_out = worker.deflated.data();
     stream.avail_out = static_cast<std::uint32_t>(room);
     const int status = isal_deflate(&stream);
-    chunk.keep_room(room, room - stream.avail_out);
+    chunk.append(std::span(worker.deflated).first(room - stream.avail_out));
     return status == COMP_OK && stream.avail_in == 0 && stream.avail_out > 0;
 }
 
