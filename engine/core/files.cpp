@@ -124,6 +124,11 @@ Result<Bytes> read_file(const std::filesystem::path& path, std::uint64_t limit_b
     return read_regular_file<Bytes>(path, limit_bytes);
 }
 
+Result<PixelVector<std::byte>> read_large_file(const std::filesystem::path& path,
+                                               std::uint64_t limit_bytes) {
+    return read_regular_file<PixelVector<std::byte>>(path, limit_bytes);
+}
+
 Result<std::string> read_text_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
     return read_regular_file<std::string>(path, limit_bytes);
 }
@@ -170,6 +175,18 @@ Result<std::filesystem::path> resource_folder(std::string_view name) {
         "the folder '{}' is neither beside the program ({}) nor in a source tree above it; "
         "reinstall Patina",
         name, shown(installed.lexically_normal()));
+}
+
+Result<std::filesystem::path> module_file(std::string_view name) {
+    const auto program = executable_folder();
+    std::error_code error;
+    const auto installed = program / ".." / "lib" / "patina" / name;
+    if (std::filesystem::exists(installed, error)) return installed.lexically_normal();
+    for (auto folder = program; folder.has_relative_path(); folder = folder.parent_path())
+        if (std::filesystem::exists(folder / "engine" / name, error))
+            return folder / "engine" / name;
+    return failure("{} is not where it is installed ({}); reinstall Patina", name,
+                   shown(installed.lexically_normal()));
 }
 
 }  // namespace patina

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/pixel_memory.h"
 #include "core/result.h"
 
 namespace patina {
@@ -28,6 +29,10 @@ Result<Bytes> read_file(const std::filesystem::path& path,
 Result<std::string> read_text_file(const std::filesystem::path& path,
                                    std::uint64_t limit_bytes = kFileLimitBytes);
 
+/// The same into memory for pixels: for files that are as large as what they hold.
+Result<PixelVector<std::byte>> read_large_file(const std::filesystem::path& path,
+                                               std::uint64_t limit_bytes = kFileLimitBytes);
+
 /// Writes the concatenation of `pieces` to `path` all or nothing: a temporary file in the same
 /// folder, written, flushed to disk (fsync), renamed over the target, the folder flushed. A
 /// symbolic link is followed and stays a link; the mode of an existing target is kept. On any
@@ -41,6 +46,10 @@ Status write_file_atomically(const std::filesystem::path& path, std::string_view
 /// beside the program (../share/patina/NAME from the executable), then in the source tree above the
 /// executable. Never an absolute path from the time of the build.
 Result<std::filesystem::path> resource_folder(std::string_view name);
+
+/// A module that the program loads when it is needed: in ../lib/patina from an installed program,
+/// else in the engine folder of the build that the program lies in.
+Result<std::filesystem::path> module_file(std::string_view name);
 
 inline std::span<const std::byte> bytes_of(std::string_view text) {
     return std::as_bytes(std::span(text.data(), text.size()));

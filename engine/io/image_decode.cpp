@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "io/image_decode.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cmath>
 #include <cstring>
-#include <exception>
-#include <limits>
+#include <utility>
 
+#include "io/image_codecs.h"
 #include "io/png_reader.h"
+#include "io/tiff_reader.h"
 
 namespace patina::io {
 namespace {
@@ -61,110 +57,6 @@ std::string lower_extension(std::string_view name) {
     return extension;
 }
 
-/// One image being read from memory: the reader must not outlive the bytes.
-struct OpenImage {
-    std::unique_ptr<OIIO::Filesystem::IOMemReader> bytes;
-    std::unique_ptr<OIIO::ImageInput> input;
-    ImageHeader header;
-};
-
-/// Messages of decoders may hold anything, even several lines: the first one is enough.
-std::string first_line(const std::string& text) {
-    return quoted_for_message(text.substr(0, text.find('\n')), 160);
-}
-
-SampleType sample_type_of(const OIIO::TypeDesc& type) {
-    switch (type.basetype) {
-        case OIIO::TypeDesc::UINT8:
-        case OIIO::TypeDesc::INT8:
-            return SampleType::U8;
-        case OIIO::TypeDesc::UINT16:
-        case OIIO::TypeDesc::INT16:
-            return SampleType::U16;
-        default:
-            return SampleType::F32;
-    }
-}
-
-OIIO::TypeDesc type_desc_of(SampleType type) {
-    switch (type) {
-        case SampleType::U8:
-            return OIIO::TypeDesc::UINT8;
-        case SampleType::U16:
-            return OIIO::TypeDesc::UINT16;
-        case SampleType::F32:
-            return OIIO::TypeDesc::FLOAT;
-    }
-    return OIIO::TypeDesc::FLOAT;
-}
-
-/// What the file says of its colours, else what its numbers imply: floats are light.
-ColorSpace color_space_of(const OIIO::ImageSpec& spec) {
-    std::string stated = spec.get_string_attribute("oiio:ColorSpace");
-    std::transform(stated.begin(), stated.end(), stated.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (stated == "linear" || stated == "scene_linear" || stated == "lin_srgb" ||
-        stated == "lin_rec709")
-        return ColorSpace::Linear;
-    const bool is_float = spec.format.basetype == OIIO::TypeDesc::FLOAT ||
-                          spec.format.basetype == OIIO::TypeDesc::HALF ||
-                          spec.format.basetype == OIIO::TypeDesc::DOUBLE;
-    return is_float && stated.empty() ? ColorSpace::Linear : ColorSpace::Srgb;
-}
-
-Result<OpenImage> open_image(ByteSpan encoded, std::string_view name) {
-    const std::string_view format = image_format(encoded, name);
-    if (format.empty())
-        return failure("not an image that Patina reads (PNG, JPEG, WebP, TIFF, EXR, HDR, PSD ...)");
-    OpenImage open;
-    open.header.format = format;
-    // A search path of our own making keeps plug-ins named by the environment out.
-    open.input = OIIO::ImageInput::create(open.header.format, false, nullptr, nullptr, "/dev/null");
-    if (!open.input) {
-        OIIO::geterror();
-        return failure("{} images are not supported by this build of OpenImageIO", format);
-    }
-    open.bytes = std::make_unique<OIIO::Filesystem::IOMemReader>(
-        const_cast<std::byte*>(encoded.data()), encoded.size());
-    open.input->set_ioproxy(open.bytes.get());
-    OIIO::ImageSpec settings;
-    settings["oiio:UnassociatedAlpha"] = 1;
-    OIIO::ImageSpec spec;
-    if (!open.input->open(std::string(name.empty() ? "image" : name), spec, settings))
-        return failure("cannot be decoded: {}", first_line(open.input->geterror()));
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1 || spec.deep)
-        return failure("is not a flat image");
-    open.header.width = spec.width;
-    open.header.height = spec.height;
-    open.header.channels = std::min(spec.nchannels, 4);
-    open.header.type = sample_type_of(spec.format);
-    open.header.color_space = color_space_of(spec);
-    return open;
-}
-
-void make_finite(Image& image) {
-    auto* const numbers = reinterpret_cast<float*>(image.data.data());
-    constexpr float kLargest = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < image.data.size() / sizeof(float); ++i) {
-        if (std::isnan(numbers[i])) numbers[i] = 0.0f;
-        numbers[i] = std::clamp(numbers[i], -kLargest, kLargest);
-    }
-}
-
-Result<ImagePtr> read_pixels(OpenImage& open) {
-    auto image = std::make_shared<Image>();
-    image->width = open.header.width;
-    image->height = open.header.height;
-    image->channels = open.header.channels;
-    image->type = open.header.type;
-    image->data.resize(open.header.decoded_bytes());
-    if (!open.input->read_image(0, 0, 0, image->channels, type_desc_of(image->type),
-                                image->data.data()))
-        return failure("cannot be decoded: {}", first_line(open.input->geterror()));
-    if (image->type == SampleType::F32) make_finite(*image);
-    return image;
-}
-
 bool is_png(ByteSpan encoded) {
     return has_magic(kFormats.front(), encoded);
 }
@@ -189,11 +81,23 @@ ColorSpace color_space_of_png(ByteSpan encoded) {
     return linear ? ColorSpace::Linear : ColorSpace::Srgb;
 }
 
-Result<ImagePtr> decode_png_within(ByteSpan encoded, const ImageLimits& limits) {
-    const auto header = read_png_header(encoded);
+class PngInMemory final : public OpenedImage {
+  public:
+    PngInMemory(ByteSpan encoded, ImageHeader header)
+        : encoded_(encoded), header_(std::move(header)) {}
+    const ImageHeader& header() const override { return header_; }
+    Result<ImagePtr> pixels() override { return decode_png(encoded_); }
+
+  private:
+    ByteSpan encoded_;
+    ImageHeader header_;
+};
+
+Result<std::unique_ptr<OpenedImage>> open_png(ByteSpan encoded) {
+    auto header = read_png_header(encoded);
     if (!header) return passed_on(header);
-    if (const auto fits = check_image_size(*header, limits); !fits) return passed_on(fits);
-    return decode_png(encoded);
+    header->color_space = color_space_of_png(encoded);
+    return std::make_unique<PngInMemory>(encoded, std::move(*header));
 }
 
 }  // namespace
@@ -234,28 +138,30 @@ Status check_image_size(const ImageHeader& header, const ImageLimits& limits) {
     return {};
 }
 
-Result<ImageHeader> read_image_header(ByteSpan encoded, std::string_view name) try {
-    if (is_png(encoded)) {
-        auto header = read_png_header(encoded);
-        if (header) header->color_space = color_space_of_png(encoded);
-        return header;
-    }
-    const auto open = open_image(encoded, name);
-    if (!open) return passed_on(open);
-    return open->header;
-} catch (const std::exception& error) {
-    return failure("cannot be decoded: {}", first_line(error.what()));
+Result<std::unique_ptr<OpenedImage>> open_image(ByteSpan encoded, std::string_view name) {
+    if (is_png(encoded)) return open_png(encoded);
+    const std::string_view format = image_format(encoded, name);
+    if (format.empty())
+        return failure("not an image that Patina reads (PNG, JPEG, WebP, TIFF, EXR, HDR, PSD ...)");
+    if (format == "tiff")
+        if (auto plain = open_plain_tiff(encoded)) return plain;
+    const auto codecs = image_codecs();
+    if (!codecs) return passed_on(codecs);
+    return (*codecs)->open(encoded, name, format);
 }
 
-Result<ImagePtr> decode_image(ByteSpan encoded, std::string_view name,
-                              const ImageLimits& limits) try {
-    if (is_png(encoded)) return decode_png_within(encoded, limits);
-    auto open = open_image(encoded, name);
+Result<ImageHeader> read_image_header(ByteSpan encoded, std::string_view name) {
+    const auto open = open_image(encoded, name);
     if (!open) return passed_on(open);
-    if (const auto fits = check_image_size(open->header, limits); !fits) return passed_on(fits);
-    return read_pixels(*open);
-} catch (const std::exception& error) {
-    return failure("cannot be decoded: {}", first_line(error.what()));
+    return (*open)->header();
+}
+
+Result<ImagePtr> decode_image(ByteSpan encoded, std::string_view name, const ImageLimits& limits) {
+    const auto open = open_image(encoded, name);
+    if (!open) return passed_on(open);
+    if (const auto fits = check_image_size((*open)->header(), limits); !fits)
+        return passed_on(fits);
+    return (*open)->pixels();
 }
 
 }  // namespace patina::io

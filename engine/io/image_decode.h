@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,23 @@ std::string_view image_format(std::span<const std::byte> encoded, std::string_vi
 bool has_image_extension(std::string_view name);
 /// "image/png" for "png", and so on.
 std::string_view mime_type_of_format(std::string_view format);
+
+/// An image whose header has been read.
+class OpenedImage {
+  public:
+    OpenedImage() = default;
+    virtual ~OpenedImage() = default;
+    OpenedImage(const OpenedImage&) = delete;
+    OpenedImage& operator=(const OpenedImage&) = delete;
+
+    virtual const ImageHeader& header() const = 0;
+    /// Decodes all of it: check the header's size first. Once only.
+    virtual Result<ImagePtr> pixels() = 0;
+};
+
+/// Reads the header. `encoded` must outlive what is returned.
+Result<std::unique_ptr<OpenedImage>> open_image(std::span<const std::byte> encoded,
+                                                std::string_view name);
 
 /// Fails when the header states more than the limits allow.
 Status check_image_size(const ImageHeader& header, const ImageLimits& limits);

@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/parallel.h"
 #include "io/image_decode.h"
 #include "io/png_writer.h"
 
@@ -120,52 +121,61 @@ ImageStore::~ImageStore() = default;
 Result<ImageAssetPtr> ImageStore::add(std::shared_ptr<const Bytes> encoded, std::string_view name) {
     const Hash128 encoded_hash = hash_bytes(*encoded);
     if (const auto known = state_->find_asset(encoded_hash)) return known;
-    const auto header = read_image_header(*encoded, name);
-    if (!header) return passed_on(header);
-    if (const auto fits = check_image_size(*header, state_->limits); !fits) return passed_on(fits);
-    if (const auto fits = state_->reserve(header->decoded_bytes()); !fits) return passed_on(fits);
-    const auto image = decode_image(*encoded, name, state_->limits);
+    const auto open = open_image(*encoded, name);
+    if (!open) return passed_on(open);
+    const ImageHeader header = (*open)->header();
+    if (const auto fits = check_image_size(header, state_->limits); !fits) return passed_on(fits);
+    if (const auto fits = state_->reserve(header.decoded_bytes()); !fits) return passed_on(fits);
+    const auto image = (*open)->pixels();
     if (!image) {
-        state_->release(header->decoded_bytes());
+        state_->release(header.decoded_bytes());
         return passed_on(image);
     }
     const Hash128 hash = content_hash(**image);
     ImageAsset asset =
-        asset_of(hash, **image, name, mime_type_of_format(header->format), std::move(encoded));
-    asset.color_space = header->color_space;
+        asset_of(hash, **image, name, mime_type_of_format(header.format), std::move(encoded));
+    asset.color_space = header.color_space;
     return state_->keep_asset(encoded_hash, *image, std::move(asset));
 }
 
 Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
-    auto bytes = read_file(path);
+    const auto bytes = read_large_file(path);
     if (!bytes) return passed_on(bytes);
     const std::string name = path.filename().string();
-    const auto named = [&](const Error& error) {
-        return failure("{}: {}", quoted_for_message(path.string()), error.message);
-    };
     const std::string_view format = image_format(*bytes, name);
-    auto encoded = std::make_shared<const Bytes>(std::move(*bytes));
-    if (format == "png" || format == "jpeg") {
-        auto asset = add(std::move(encoded), name);
-        if (!asset) return named(asset.error());
-        return asset;
-    }
-    const Hash128 file_hash = hash_bytes(*encoded);
-    if (const auto known = state_->find_asset(file_hash)) return known;
-    const auto image = decode_image(*encoded, name, state_->limits);
-    if (!image) return named(image.error());
-    const bool is_float = (*image)->type == SampleType::F32;
-    if (is_float && !is_within_0_to_1(**image)) {
-        auto asset = add(std::move(encoded), name);
-        if (!asset) return named(asset.error());
-        return asset;
-    }
-    const auto header = read_image_header(*encoded, name);
-    if (!header) return named(header.error());
-    auto asset = add_as_png(file_hash, is_float ? shared_as_u16(**image) : *image, name,
-                            header->color_space);
-    if (!asset) return named(asset.error());
+    const bool is_kept = format == "png" || format == "jpeg";
+    auto asset = is_kept ? add(std::make_shared<const Bytes>(bytes->begin(), bytes->end()), name)
+                         : add_converted(*bytes, name);
+    if (!asset) return failure("{}: {}", quoted_for_message(path.string()), asset.error().message);
     return asset;
+}
+
+Result<ImageAssetPtr> ImageStore::add_converted(std::span<const std::byte> file,
+                                                std::string_view name) {
+    const Hash128 file_hash = hash_bytes(file);
+    if (const auto known = state_->find_asset(file_hash)) return known;
+    const auto open = open_image(file, name);
+    if (!open) return passed_on(open);
+    if (const auto fits = check_image_size((*open)->header(), state_->limits); !fits)
+        return passed_on(fits);
+    const auto image = (*open)->pixels();
+    if (!image) return passed_on(image);
+    const bool is_float = (*image)->type == SampleType::F32;
+    if (is_float && !is_within_0_to_1(**image))
+        return add(std::make_shared<const Bytes>(file.begin(), file.end()), name);
+    return add_as_png(file_hash, is_float ? shared_as_u16(**image) : *image, name,
+                      (*open)->header().color_space);
+}
+
+std::vector<Result<ImageAssetPtr>> ImageStore::add_files(
+    std::span<const std::filesystem::path> paths, const Progress& progress) {
+    std::vector<Result<ImageAssetPtr>> added(paths.size());
+    parallel_for(
+        0, static_cast<std::int64_t>(paths.size()), 1, [&](std::int64_t first, std::int64_t last) {
+            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+                if (!progress.cancelled()) added[i] = add_file(paths[i]);
+        });
+    return added;
 }
 
 /// Takes decoded pixels in, which are to be carried as PNG once they are saved.

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "composite/image_provider.h"
 #include "core/progress.h"
@@ -41,6 +42,10 @@ class ImageStore final : public ImageProvider {
     /// PNG when they are within 0..1. That PNG is made when it is first asked for.
     Result<ImageAssetPtr> add_file(const std::filesystem::path& path);
 
+    /// The same for several files side by side. Those that a cancel left out are null.
+    std::vector<Result<ImageAssetPtr>> add_files(std::span<const std::filesystem::path> paths,
+                                                 const Progress& progress = {});
+
     /// Stands in for pixels that are missing or cannot be decoded: a checker is served under
     /// `hash`. `encoded` may be null.
     ImageAssetPtr add_placeholder(const Hash128& hash, std::string_view name,
@@ -54,6 +59,7 @@ class ImageStore final : public ImageProvider {
     std::size_t decoded_bytes() const;
 
   private:
+    Result<ImageAssetPtr> add_converted(std::span<const std::byte> file, std::string_view name);
     Result<ImageAssetPtr> add_as_png(const Hash128& file, const ImagePtr& image,
                                      std::string_view name, ColorSpace color_space);
 

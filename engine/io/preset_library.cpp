@@ -75,14 +75,16 @@ Result<PresetFile> find_preset(std::string_view name_or_path) {
 }
 
 Result<std::vector<ImageAssetPtr>> add_preset_images(const PresetFile& file, ImageStore& images) {
+    std::vector<fs::path> paths;
+    for (const PresetImage& image : file.preset.images)
+        paths.push_back(file.path.parent_path() / image.file);
     std::vector<ImageAssetPtr> assets;
-    for (const PresetImage& wanted : file.preset.images) {
-        const fs::path path = file.path.parent_path() / wanted.file;
-        auto asset = images.add_file(path);
+    for (Result<ImageAssetPtr>& asset : images.add_files(paths)) {
         if (!asset) return passed_on(asset);
-        if ((*asset)->hash != wanted.hash)
+        const std::size_t i = assets.size();
+        if ((*asset)->hash != file.preset.images[i].hash)
             return failure("{}: its pixels are not those that preset '{}' was made with",
-                           quoted_for_message(path.string()), file.preset.id);
+                           quoted_for_message(paths[i].string()), file.preset.id);
         assets.push_back(std::move(*asset));
     }
     return assets;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/parallel.h"
 #include "document/check.h"
 #include "io/image_decode.h"
 
@@ -93,20 +92,21 @@ void feed(Layer& layer, const TextureUseOfFile& file, const ImageAsset& image) {
     }
 }
 
+/// By the places of `files`; null for those that no channel uses.
 Result<std::vector<ImageAssetPtr>> decoded(const std::vector<TextureUseOfFile>& files,
                                            ImageStore& store, const Progress& progress) {
-    std::vector<Result<ImageAssetPtr>> results(files.size(), ImageAssetPtr());
-    parallel_for(
-        0, static_cast<std::int64_t>(files.size()), 1, [&](std::int64_t first, std::int64_t last) {
-            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-                if (!files[i].used.empty() && !progress.cancelled())
-                    results[i] = store.add_file(files[i].file);
-        });
+    std::vector<fs::path> paths;
+    for (const TextureUseOfFile& file : files)
+        if (!file.used.empty()) paths.push_back(file.file);
+    const std::vector<Result<ImageAssetPtr>> added = store.add_files(paths, progress);
     if (progress.cancelled()) return failure("cancelled");
     std::vector<ImageAssetPtr> images;
-    for (const Result<ImageAssetPtr>& result : results) {
-        if (!result) return passed_on(result);
-        images.push_back(*result);
+    auto next = added.begin();
+    for (const TextureUseOfFile& file : files) {
+        images.push_back(nullptr);
+        if (file.used.empty()) continue;
+        if (!*next) return passed_on(*next);
+        images.back() = **next++;
     }
     return images;
 }

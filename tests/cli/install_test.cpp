@@ -33,6 +33,18 @@ TEST_F(Installed, FindsItsShadersAndPresetsAfterAMove) {
         program_, {"render", ball, "--size", "32x32", "--samples", "1", "-o", at("a.png")})));
 }
 
+TEST_F(Installed, FindsWhatReadsAndWritesImagesAfterAMove) {
+    const std::string ball = at("ball.glb");
+    ASSERT_TRUE(succeeded(run_executable(program_, {"sample", "-o", ball})));
+    const std::vector<std::string> render = {"render",    ball, "--size", "32x32",
+                                             "--samples", "1",  "-o",     at("a.exr")};
+    EXPECT_TRUE(succeeded(run_executable(program_, render)));
+    fs::remove(at("moved/lib/patina/patina-openimageio.so"));
+    const Outcome without = run_executable(program_, render);
+    EXPECT_TRUE(failed_with_one_line(without));
+    EXPECT_THAT(without.errors, HasSubstr("patina-openimageio.so"));
+}
+
 TEST_F(Installed, HasItsFontsAndTheirLicencesBesideIt) {
     const fs::path fonts = at("moved/share/patina/fonts");
     for (const char* font : {"Inter-Regular.otf", "Inter-Medium.otf", "Inter-SemiBold.otf",
@@ -47,6 +59,8 @@ TEST_F(Installed, TellsBashHowToCompleteIt) {
 
 TEST_F(Installed, KeepsNoPathOfWhereItWasBuilt) {
     EXPECT_THAT(file_text(program_), Not(HasSubstr(PATINA_SOURCE_DIR)));
+    EXPECT_THAT(file_text(at("moved/lib/patina/patina-openimageio.so")),
+                Not(HasSubstr(PATINA_SOURCE_DIR)));
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ const std::array kLibraries = {
     Library{"GLFW", {"GLFW/"}, {"app/editor"}},
     Library{"OpenGL", {"epoxy/", "GL/", "EGL/"}, {"engine/gl", "engine/render"}},
     Library{"tinygltf", {"tiny_gltf"}, {"engine/io"}},
-    Library{"OpenImageIO", {"OpenImageIO/"}, {"engine/io"}},
+    Library{"OpenImageIO", {"OpenImageIO/"}, {"engine/io/openimageio"}},
+    Library{"libtiff", {"tiffio"}, {"engine/io"}},
     Library{"CLI11", {"CLI/"}, {"app/cli"}},
     Library{"Highway", {"hwy/"}, {"engine/core/formulae", "engine/composite", "engine/io"}},
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/png_reader.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,28 +8,10 @@
 
 #include "core/files.h"
 #include "io/png_writer.h"
+#include "read_by_openimageio.h"
 
 namespace patina::io {
 namespace {
-
-/// What OpenImageIO, which reads PNG with libpng, makes of the same bytes.
-Image read_with_openimageio(const Bytes& encoded) {
-    OIIO::Filesystem::IOMemReader bytes(const_cast<std::byte*>(encoded.data()), encoded.size());
-    auto input = OIIO::ImageInput::create("png", false);
-    input->set_ioproxy(&bytes);
-    OIIO::ImageSpec settings;
-    settings["oiio:UnassociatedAlpha"] = 1;
-    OIIO::ImageSpec spec;
-    Image image;
-    if (!input->open("image.png", spec, settings)) return image;
-    image.width = spec.width;
-    image.height = spec.height;
-    image.channels = spec.nchannels;
-    image.type = spec.format == OIIO::TypeUInt16 ? SampleType::U16 : SampleType::U8;
-    image.data.resize(image.row_bytes() * static_cast<std::size_t>(image.height));
-    input->read_image(0, 0, 0, spec.nchannels, spec.format, image.data.data());
-    return image;
-}
 
 TEST(PngReader, ReadsEveryColourTypeDepthAndInterlacingAsLibpngDoes) {
     // Made by a script from the specification: 19 x 13 random pixels, a random filter in each row,
@@ -43,7 +23,7 @@ TEST(PngReader, ReadsEveryColourTypeDepthAndInterlacingAsLibpngDoes) {
         ASSERT_TRUE(encoded.has_value()) << encoded.error().message;
         const auto image = decode_png(*encoded);
         ASSERT_TRUE(image.has_value()) << entry.path() << image.error().message;
-        const Image expected = read_with_openimageio(*encoded);
+        const Image expected = read_by_openimageio(*encoded, "png");
         EXPECT_EQ((*image)->channels, expected.channels) << entry.path();
         EXPECT_EQ((*image)->type, expected.type) << entry.path();
         EXPECT_TRUE(**image == expected) << entry.path();
