@@ -2,6 +2,7 @@
 #include "composite/procedural_kernels.h"
 
 #include "composite/kernel_targets.h"
+#include "composite/tile.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/procedural_kernels.cpp"
@@ -16,6 +17,9 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using formulae::lane_count;
 using formulae::load;
+using formulae::NoisePlace;
+using formulae::Octave;
+using formulae::Pattern;
 using formulae::Real;
 using formulae::Real2;
 using formulae::Real3;
@@ -31,6 +35,21 @@ formulae::Ramp ramp_of(const ProceduralTask& task) {
     return ramp;
 }
 
+using Plane = float[kTileTexels];
+
+/// Where the texels of a run lie, in cells.
+struct Places {
+    alignas(64) Plane x;
+    alignas(64) Plane y;
+    int count;
+
+    HWY_INLINE Real2 at(int i) const { return Real2(load(x + i), load(y + i)); }
+    HWY_INLINE void set(int i, Real2 place) {
+        store(place.x, x + i);
+        store(place.y, y + i);
+    }
+};
+
 /// Where texels from number `i` on lie, in cells.
 HWY_INLINE Real2 position_at(const ProceduralTask& task, int i) {
     if (task.u != nullptr)
@@ -42,68 +61,396 @@ HWY_INLINE Real2 position_at(const ProceduralTask& task, int i) {
                  (u * task.v_per_u + task.v_of_row) * static_cast<float>(task.rows));
 }
 
-/// The pattern of one kind, before contrast and ramp. One copy for each kind, so that no lane asks
-/// which it is.
-template <int kKind>
-HWY_NOINLINE HWY_FLATTEN void pattern_run(const ProceduralTask& task, float* plane) {
-    const formulae::Pattern pattern = {kKind,        task.columns,  task.rows,     task.seed,
-                                       task.octaves, task.width,    task.softness, task.variation,
-                                       task.warp,    task.footprint};
+HWY_NOINLINE HWY_FLATTEN void find_places(const ProceduralTask& task, Places& places) {
+    places.count = task.count;
     for (int i = 0; i < task.count; i += static_cast<int>(lane_count()))
-        store(formulae::pattern_value(pattern, position_at(task, i)), plane + i);
+        places.set(i, position_at(task, i));
 }
 
-void pattern_by_kind(const ProceduralTask& task, float* plane) {
-    switch (task.kind) {
-        case ProceduralKind::ValueNoise:
-            return pattern_run<formulae::NOISE_VALUE>(task, plane);
-        case ProceduralKind::PerlinNoise:
-            return pattern_run<formulae::NOISE_PERLIN>(task, plane);
-        case ProceduralKind::WorleyNoise:
-            return pattern_run<formulae::NOISE_WORLEY>(task, plane);
-        case ProceduralKind::SimplexNoise:
-            return pattern_run<formulae::NOISE_SIMPLEX>(task, plane);
-        case ProceduralKind::RidgedNoise:
-            return pattern_run<formulae::NOISE_RIDGED>(task, plane);
-        case ProceduralKind::Turbulence:
-            return pattern_run<formulae::NOISE_TURBULENCE>(task, plane);
-        case ProceduralKind::WorleyF2:
-            return pattern_run<formulae::NOISE_WORLEY_F2>(task, plane);
-        case ProceduralKind::WorleyEdges:
-            return pattern_run<formulae::NOISE_WORLEY_EDGES>(task, plane);
-        case ProceduralKind::Cells:
-            return pattern_run<formulae::NOISE_CELLS>(task, plane);
-        case ProceduralKind::GradientLinear:
-            return pattern_run<formulae::PATTERN_GRADIENT_LINEAR>(task, plane);
-        case ProceduralKind::GradientRadial:
-            return pattern_run<formulae::PATTERN_GRADIENT_RADIAL>(task, plane);
-        case ProceduralKind::GradientAngular:
-            return pattern_run<formulae::PATTERN_GRADIENT_ANGULAR>(task, plane);
-        case ProceduralKind::Checker:
-            return pattern_run<formulae::PATTERN_CHECKER>(task, plane);
-        case ProceduralKind::Stripes:
-            return pattern_run<formulae::PATTERN_STRIPES>(task, plane);
-        case ProceduralKind::Bricks:
-            return pattern_run<formulae::PATTERN_BRICKS>(task, plane);
-        case ProceduralKind::Tiles:
-            return pattern_run<formulae::PATTERN_TILES>(task, plane);
-        case ProceduralKind::Hexagons:
-            return pattern_run<formulae::PATTERN_HEXAGONS>(task, plane);
-        case ProceduralKind::Weave:
-            return pattern_run<formulae::PATTERN_WEAVE>(task, plane);
-        case ProceduralKind::Spots:
-            return pattern_run<formulae::PATTERN_SPOTS>(task, plane);
-        case ProceduralKind::Scratches:
-            return pattern_run<formulae::PATTERN_SCRATCHES>(task, plane);
-        case ProceduralKind::Cracks:
-            return pattern_run<formulae::PATTERN_CRACKS>(task, plane);
-        case ProceduralKind::WoodRings:
-            return pattern_run<formulae::PATTERN_WOOD_RINGS>(task, plane);
-        case ProceduralKind::Marble:
-            return pattern_run<formulae::PATTERN_MARBLE>(task, plane);
-        case ProceduralKind::Grunge:
-            return pattern_run<formulae::PATTERN_GRUNGE>(task, plane);
+/// What the corners of a noise's cells hang on.
+struct Lattice {
+    int period_x;
+    int period_y;
+    formulae::uint seed;
+    float footprint = 0.0f;            ///< width of a texel in cells
+    const Pattern* pattern = nullptr;  ///< of scratches
+};
+
+struct ValueNoise {
+    using Corners = formulae::ValueCorners;
+    static HWY_INLINE NoisePlace place(Real2 position, const Lattice&) {
+        return formulae::noise_place(position);
     }
+    static HWY_INLINE Corners corners(Real2 cell, const Lattice& lattice) {
+        return formulae::value_corners(cell, lattice.period_x, lattice.seed);
+    }
+    static HWY_INLINE Real value(const Corners& corners, NoisePlace place, const Lattice&) {
+        return formulae::value_between(corners, place);
+    }
+};
+
+struct SimplexNoise {
+    using Corners = formulae::GradientCorners;
+    static HWY_INLINE NoisePlace place(Real2 position, const Lattice& lattice) {
+        return formulae::simplex_place(position, lattice.period_x);
+    }
+    static HWY_INLINE Corners corners(Real2 cell, const Lattice& lattice) {
+        return formulae::simplex_corners(cell, lattice.period_x, lattice.seed);
+    }
+    static HWY_INLINE Real value(const Corners& corners, NoisePlace place, const Lattice&) {
+        return formulae::simplex_between(corners, place);
+    }
+};
+
+/// Perlin's noise and what is made of it.
+enum class Shape { Plain, Ridged, Folded };
+template <Shape kShape>
+struct GradientNoise {
+    using Corners = formulae::GradientCorners;
+    static HWY_INLINE NoisePlace place(Real2 position, const Lattice&) {
+        return formulae::noise_place(position);
+    }
+    static HWY_INLINE Corners corners(Real2 cell, const Lattice& lattice) {
+        return formulae::gradient_corners(cell, lattice.period_x, lattice.period_y, lattice.seed);
+    }
+    static HWY_INLINE Real value(const Corners& corners, NoisePlace place, const Lattice&) {
+        const Real plain = formulae::perlin_between(corners, place);
+        if constexpr (kShape == Shape::Ridged) return formulae::ridged(plain);
+        if constexpr (kShape == Shape::Folded) return formulae::folded(plain);
+        return plain;
+    }
+};
+using PerlinNoise = GradientNoise<Shape::Plain>;
+
+/// What is made of the feature points around.
+enum class FeatureValue { First, Second, Edges, Cells, Border };
+template <FeatureValue kValue>
+struct FeatureNoise {
+    using Corners = formulae::FeaturePoints;
+    static HWY_INLINE NoisePlace place(Real2 position, const Lattice&) {
+        return formulae::noise_place(position);
+    }
+    static HWY_INLINE Corners corners(Real2 cell, const Lattice& lattice) {
+        return formulae::feature_points(cell, lattice.period_x, lattice.seed);
+    }
+    static HWY_INLINE Real value(const Corners& points, NoisePlace place, const Lattice& lattice) {
+        switch (kValue) {
+            case FeatureValue::First:
+                return formulae::worley_between(points, place);
+            case FeatureValue::Second:
+                return formulae::worley_f2_between(points, place);
+            case FeatureValue::Edges:
+                return formulae::worley_edges_between(points, place);
+            case FeatureValue::Cells:
+                return formulae::cells_between(points, place, lattice.footprint);
+            case FeatureValue::Border:
+                return formulae::border_between(points, place);
+        }
+    }
+};
+
+struct ScratchNoise {
+    using Corners = formulae::Scratches;
+    static HWY_INLINE NoisePlace place(Real2 position, const Lattice&) {
+        return formulae::noise_place(position);
+    }
+    static HWY_INLINE Corners corners(Real2 cell, const Lattice& lattice) {
+        return formulae::scratches_around(*lattice.pattern, cell, lattice.seed);
+    }
+    static HWY_INLINE Real value(const Corners& scratches, NoisePlace place,
+                                 const Lattice& lattice) {
+        return formulae::scratches_between(*lattice.pattern, scratches, place);
+    }
+};
+
+/// A noise along a run of texels. Neighbours mostly lie in the cell of those before them: its
+/// corners are kept, and hashed again only where some lane comes to another cell.
+template <class Noise>
+class Walk {
+  public:
+    HWY_INLINE Walk(Real2 start, const Lattice& lattice)
+        : lattice_(lattice),
+          cell_(Noise::place(start, lattice).cell),
+          corners_(Noise::corners(cell_, lattice)) {}
+
+    HWY_INLINE Real at(Real2 position) {
+        const NoisePlace place = Noise::place(position, lattice_);
+        const formulae::Bool stays = place.cell.x == cell_.x && place.cell.y == cell_.y;
+        if (!hn::AllTrue(formulae::RealLanes(), stays.mask)) {
+            cell_ = place.cell;
+            corners_ = Noise::corners(cell_, lattice_);
+        }
+        return Noise::value(corners_, place, lattice_);
+    }
+
+  private:
+    const Lattice lattice_;
+    Real2 cell_;
+    typename Noise::Corners corners_;
+};
+
+template <class Noise>
+HWY_NOINLINE HWY_FLATTEN void noise_run(const Places& places, Real2 scale, const Lattice& lattice,
+                                        float* plane) {
+    Walk<Noise> walk(places.at(0) * scale, lattice);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(walk.at(places.at(i) * scale), plane + i);
+}
+
+/// The octaves of a noise, as formulae::fbm adds them up.
+struct OctavesTask {
+    float scale = 1.0f;  ///< cells of the first octave for each of the places'
+    int period = 1;
+    formulae::uint seed = 0;
+    int octaves = 1;
+    float gain = 0.5f;
+    float footprint = 0.0f;  ///< of the first octave
+    float mean = 0.5f;
+};
+
+template <class Noise>
+HWY_NOINLINE HWY_FLATTEN void add_octave(const Places& places, const OctavesTask& task,
+                                         const Octave& octave, const Lattice& lattice, float* sum) {
+    const auto position = [&](int i) { return places.at(i) * task.scale * octave.frequency; };
+    Walk<Noise> walk(position(0), lattice);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::with_octave(load(sum + i), octave, task.mean, walk.at(position(i))),
+              sum + i);
+}
+
+HWY_NOINLINE HWY_FLATTEN void add_mean(const OctavesTask& task, const Octave& octave, int count,
+                                       float* sum) {
+    for (int i = 0; i < count; i += static_cast<int>(lane_count()))
+        store(formulae::with_octave(load(sum + i), octave, task.mean, task.mean), sum + i);
+}
+
+HWY_NOINLINE HWY_FLATTEN void fill(float value, int count, float* plane) {
+    for (int i = 0; i < count; i += static_cast<int>(lane_count())) store(Real(value), plane + i);
+}
+
+/// A sum to its weighted mean.
+HWY_NOINLINE HWY_FLATTEN void divide(float total, int count, float* sum) {
+    for (int i = 0; i < count; i += static_cast<int>(lane_count()))
+        store(clamp(load(sum + i) / total, 0.0f, 1.0f), sum + i);
+}
+
+template <class Noise>
+void octaves_run(const Places& places, const OctavesTask& task, float* plane) {
+    fill(0.0f, places.count, plane);
+    float total = 0.0f;
+    Octave octave = formulae::first_octave(task.footprint);
+    for (int i = 0; i < task.octaves; ++i) {
+        const Lattice lattice = {task.period << i, task.period << i,
+                                 formulae::derived_seed(task.seed, i),
+                                 task.footprint * octave.frequency};
+        if (octave.shown > 0.0f)
+            add_octave<Noise>(places, task, octave, lattice, plane);
+        else
+            add_mean(task, octave, places.count, plane);
+        total = total + octave.strength;
+        octave = formulae::next_octave(octave, task.gain, task.footprint);
+    }
+    divide(total, places.count, plane);
+}
+
+/// A kind of noise by itself.
+template <class Noise>
+void plain_octaves(const Pattern& pattern, const Places& places, float* plane) {
+    octaves_run<Noise>(places,
+                       {.period = pattern.columns,
+                        .seed = pattern.seed,
+                        .octaves = pattern.octaves,
+                        .footprint = pattern.footprint,
+                        .mean = formulae::noise_mean(pattern.kind)},
+                       plane);
+}
+
+template <class Noise>
+void side_octaves(const formulae::SideOctaves& side, const Pattern& pattern, const Places& places,
+                  float* plane) {
+    octaves_run<Noise>(places,
+                       {.scale = side.scale,
+                        .period = formulae::side_period(side, pattern),
+                        .seed = side.seed,
+                        .octaves = side.octaves,
+                        .gain = side.gain,
+                        .footprint = pattern.footprint * side.scale,
+                        .mean = formulae::noise_mean(side.kind)},
+                       plane);
+}
+
+void side_noise(const formulae::SideNoise& side, const Places& places, float* plane) {
+    noise_run<PerlinNoise>(places, Real2(side.scale_x, side.scale_y),
+                           {side.period_x, side.period_y, side.seed}, plane);
+}
+
+HWY_NOINLINE HWY_FLATTEN void warp(const Pattern& pattern, Places& places) {
+    alignas(64) Plane noise_x, noise_y;
+    side_noise(formulae::warp_x(pattern), places, noise_x);
+    side_noise(formulae::warp_y(pattern), places, noise_y);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        places.set(i, formulae::warped_by(pattern, places.at(i),
+                                          Real2(load(noise_x + i), load(noise_y + i))));
+}
+
+HWY_NOINLINE HWY_FLATTEN void wood_run(const Pattern& pattern, const Places& places, float* plane) {
+    alignas(64) Plane slow, faster, fibre;
+    side_noise(formulae::wood_bend(pattern, 0), places, slow);
+    side_noise(formulae::wood_bend(pattern, 1), places, faster);
+    if (formulae::wood_fibre_shown(pattern) > 0.0f)
+        side_noise(formulae::wood_fibre(pattern), places, fibre);
+    else
+        fill(0.5f, places.count, fibre);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::wood_rings_of(pattern, places.at(i), load(slow + i), load(faster + i),
+                                      load(fibre + i)),
+              plane + i);
+}
+
+HWY_NOINLINE HWY_FLATTEN void marble_run(const Pattern& pattern, const Places& places,
+                                         float* plane) {
+    alignas(64) Plane slow;
+    side_noise(formulae::marble_bend(pattern), places, slow);
+    side_octaves<GradientNoise<Shape::Folded>>(formulae::marble_fray(pattern), pattern, places,
+                                               plane);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::marble_of(pattern, places.at(i), load(slow + i), load(plane + i)),
+              plane + i);
+}
+
+HWY_NOINLINE HWY_FLATTEN void grunge_run(const Pattern& pattern, const Places& places,
+                                         float* plane) {
+    alignas(64) Plane pores, veins;
+    side_octaves<PerlinNoise>(formulae::grunge_clouds(pattern), pattern, places, plane);
+    side_octaves<FeatureNoise<FeatureValue::First>>(formulae::grunge_pores(pattern), pattern,
+                                                    places, pores);
+    side_octaves<GradientNoise<Shape::Ridged>>(formulae::grunge_veins(pattern), pattern, places,
+                                               veins);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::grunge_of(pattern, load(plane + i), load(pores + i), load(veins + i)),
+              plane + i);
+}
+
+/// One of the patterns that fade to their mean as a whole.
+template <int kKind>
+HWY_NOINLINE HWY_FLATTEN void sharp_run(const Pattern& unbent, const Places& places, float* plane) {
+    const formulae::Shown shown = formulae::pattern_shown(unbent);
+    if (shown.share == 0.0f) return fill(shown.mean, places.count, plane);
+    Pattern pattern = formulae::bent_pattern(unbent);
+    pattern.kind = kKind;  // a constant: no lane asks which kind it is
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::faded_pattern(shown, formulae::sharp_pattern(pattern, places.at(i))),
+              plane + i);
+}
+
+HWY_NOINLINE HWY_FLATTEN void cracks_run(const Pattern& unbent, const Places& places,
+                                         float* plane) {
+    const formulae::Shown shown = formulae::pattern_shown(unbent);
+    if (shown.share == 0.0f) return fill(shown.mean, places.count, plane);
+    const Pattern pattern = formulae::bent_pattern(unbent);
+    alignas(64) Plane slow;
+    side_noise(formulae::cracks_slow(pattern), places, slow);
+    noise_run<FeatureNoise<FeatureValue::Border>>(
+        places, Real2(1.0f, 1.0f), {pattern.columns, pattern.columns, pattern.seed}, plane);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::faded_pattern(
+                  shown, formulae::cracks_of(pattern, load(plane + i), load(slow + i))),
+              plane + i);
+}
+
+HWY_NOINLINE HWY_FLATTEN void scratches_run(const Pattern& unbent, const Places& places,
+                                            float* plane) {
+    const formulae::Shown shown = formulae::pattern_shown(unbent);
+    if (shown.share == 0.0f) return fill(shown.mean, places.count, plane);
+    const Pattern pattern = formulae::bent_pattern(unbent);
+    const auto layer_run = [&](int layer, float* values) {
+        noise_run<ScratchNoise>(places, Real2(1.0f, 1.0f),
+                                {.period_x = pattern.columns,
+                                 .period_y = pattern.rows,
+                                 .seed = formulae::scratches_seed(pattern, layer),
+                                 .pattern = &pattern},
+                                values);
+    };
+    alignas(64) Plane other;
+    layer_run(0, plane);
+    if (formulae::scratches_layers(pattern) > 1)
+        layer_run(1, other);
+    else
+        fill(0.0f, places.count, other);
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
+        store(formulae::faded_pattern(shown, max(load(plane + i), load(other + i))), plane + i);
+}
+
+/// The pattern of a kind at places that are bent already, as formulae::pattern_at gives it.
+void pattern_run(ProceduralKind kind, const Pattern& pattern, const Places& at, float* plane) {
+    switch (kind) {
+        case ProceduralKind::ValueNoise:
+            return plain_octaves<ValueNoise>(pattern, at, plane);
+        case ProceduralKind::PerlinNoise:
+            return plain_octaves<PerlinNoise>(pattern, at, plane);
+        case ProceduralKind::WorleyNoise:
+            return plain_octaves<FeatureNoise<FeatureValue::First>>(pattern, at, plane);
+        case ProceduralKind::SimplexNoise:
+            return plain_octaves<SimplexNoise>(pattern, at, plane);
+        case ProceduralKind::RidgedNoise:
+            return plain_octaves<GradientNoise<Shape::Ridged>>(pattern, at, plane);
+        case ProceduralKind::Turbulence:
+            return plain_octaves<GradientNoise<Shape::Folded>>(pattern, at, plane);
+        case ProceduralKind::WorleyF2:
+            return plain_octaves<FeatureNoise<FeatureValue::Second>>(pattern, at, plane);
+        case ProceduralKind::WorleyEdges:
+            return plain_octaves<FeatureNoise<FeatureValue::Edges>>(pattern, at, plane);
+        case ProceduralKind::Cells:
+            return plain_octaves<FeatureNoise<FeatureValue::Cells>>(pattern, at, plane);
+        case ProceduralKind::GradientLinear:
+            return sharp_run<formulae::PATTERN_GRADIENT_LINEAR>(pattern, at, plane);
+        case ProceduralKind::GradientRadial:
+            return sharp_run<formulae::PATTERN_GRADIENT_RADIAL>(pattern, at, plane);
+        case ProceduralKind::GradientAngular:
+            return sharp_run<formulae::PATTERN_GRADIENT_ANGULAR>(pattern, at, plane);
+        case ProceduralKind::Checker:
+            return sharp_run<formulae::PATTERN_CHECKER>(pattern, at, plane);
+        case ProceduralKind::Stripes:
+            return sharp_run<formulae::PATTERN_STRIPES>(pattern, at, plane);
+        case ProceduralKind::Bricks:
+            return sharp_run<formulae::PATTERN_BRICKS>(pattern, at, plane);
+        case ProceduralKind::Tiles:
+            return sharp_run<formulae::PATTERN_TILES>(pattern, at, plane);
+        case ProceduralKind::Hexagons:
+            return sharp_run<formulae::PATTERN_HEXAGONS>(pattern, at, plane);
+        case ProceduralKind::Weave:
+            return sharp_run<formulae::PATTERN_WEAVE>(pattern, at, plane);
+        case ProceduralKind::Spots:
+            return sharp_run<formulae::PATTERN_SPOTS>(pattern, at, plane);
+        case ProceduralKind::Scratches:
+            return scratches_run(pattern, at, plane);
+        case ProceduralKind::Cracks:
+            return cracks_run(pattern, at, plane);
+        case ProceduralKind::WoodRings:
+            return wood_run(pattern, at, plane);
+        case ProceduralKind::Marble:
+            return marble_run(pattern, at, plane);
+        case ProceduralKind::Grunge:
+            return grunge_run(pattern, at, plane);
+    }
+}
+
+/// The pattern, before contrast and ramp.
+void pattern_of(const ProceduralTask& task, float* plane) {
+    const Pattern pattern = {static_cast<int>(task.kind),
+                             task.columns,
+                             task.rows,
+                             task.seed,
+                             task.octaves,
+                             task.width,
+                             task.softness,
+                             task.variation,
+                             task.warp,
+                             task.footprint};
+    Places places;
+    find_places(task, places);
+    if (task.warp != 0.0f) warp(pattern, places);
+    pattern_run(task.kind, pattern, places, plane);
 }
 
 HWY_INLINE Real contrasted_at(const ProceduralTask& task, const float* plane, int i) {
@@ -132,7 +479,7 @@ HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, float* con
 }
 
 void run(const ProceduralTask& task, float* const* planes) {
-    pattern_by_kind(task, planes[0]);
+    pattern_of(task, planes[0]);
     task.scalar ? scalar_ramp(task, planes[0]) : vector_ramp(task, planes);
 }
 

@@ -68,59 +68,111 @@ Real quintic_fade(Real t) {
     return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
-/// Value noise: random values at lattice points, faded between. Range 0..1, mean 0.5.
-Real value_noise(Real2 position, int period, uint seed) {
-    Real2 cell = floor(position);
-    Int x0 = wrapped_cell(cell.x, period);
-    Int y0 = wrapped_cell(cell.y, period);
-    Int x1 = next_cell(x0, period);
-    Int y1 = next_cell(y0, period);
-    Real u = quintic_fade(position.x - cell.x);
-    Real v = quintic_fade(position.y - cell.y);
-    Real v00 = unit_from_hash(lattice_hash(x0, y0, seed));
-    Real v10 = unit_from_hash(lattice_hash(x1, y0, seed));
-    Real v01 = unit_from_hash(lattice_hash(x0, y1, seed));
-    Real v11 = unit_from_hash(lattice_hash(x1, y1, seed));
-    Real top = v00 + (v10 - v00) * u;
-    Real bottom = v01 + (v11 - v01) * u;
+/// Where a noise looks: the place in its own coordinates, and the corner of the cell that it lies in.
+/// All that is random about a noise hangs on the cell: who walks along a row need hash each cell
+/// once. So noises come in two parts, the corners of a cell and the value between them.
+struct NoisePlace {
+    Real2 position;
+    Real2 cell;
+};
+NoisePlace noise_place(Real2 position) {
+    NoisePlace place;
+    place.position = position;
+    place.cell = floor(position);
+    return place;
+}
+
+/// The hashes of the four corners of a cell: column, then row.
+struct CornerHashes {
+    Uint h00, h10, h01, h11;
+};
+CornerHashes corner_hashes(Real2 cell, int period_x, int period_y, uint seed) {
+    Int x0 = wrapped_cell(cell.x, period_x);
+    Int y0 = wrapped_cell(cell.y, period_y);
+    Int x1 = next_cell(x0, period_x);
+    Int y1 = next_cell(y0, period_y);
+    CornerHashes hashes;
+    hashes.h00 = lattice_hash(x0, y0, seed);
+    hashes.h10 = lattice_hash(x1, y0, seed);
+    hashes.h01 = lattice_hash(x0, y1, seed);
+    hashes.h11 = lattice_hash(x1, y1, seed);
+    return hashes;
+}
+
+/// The random values at the corners of a cell.
+struct ValueCorners {
+    Real v00, v10, v01, v11;
+};
+ValueCorners value_corners(Real2 cell, int period, uint seed) {
+    CornerHashes hashes = corner_hashes(cell, period, period, seed);
+    ValueCorners corners;
+    corners.v00 = unit_from_hash(hashes.h00);
+    corners.v10 = unit_from_hash(hashes.h10);
+    corners.v01 = unit_from_hash(hashes.h01);
+    corners.v11 = unit_from_hash(hashes.h11);
+    return corners;
+}
+Real value_between(ValueCorners corners, NoisePlace place) {
+    Real u = quintic_fade(place.position.x - place.cell.x);
+    Real v = quintic_fade(place.position.y - place.cell.y);
+    Real top = corners.v00 + (corners.v10 - corners.v00) * u;
+    Real bottom = corners.v01 + (corners.v11 - corners.v01) * u;
     return top + (bottom - top) * v;
 }
 
-/// The product of (x, y) with one of 16 unit gradients, at 11.25 + 22.5 k degrees: none lies along
-/// the axes, where the eye would find the lattice. The hash's four upper bits pick it.
-Real gradient_product(Uint hash, Real x, Real y) {
+/// Value noise: random values at lattice points, faded between. Range 0..1, mean 0.5.
+Real value_noise(Real2 position, int period, uint seed) {
+    NoisePlace place = noise_place(position);
+    return value_between(value_corners(place.cell, period, seed), place);
+}
+
+/// One of 16 unit gradients, at 11.25 + 22.5 k degrees: none lies along the axes, where the eye would
+/// find the lattice. The hash's four upper bits pick it.
+Real2 lattice_gradient(Uint hash) {
     Bool steep = Uint((hash >> 28) & 1u) == Uint(1u);
     Bool swapped = Uint((hash >> 29) & 1u) == Uint(1u);
     Real a = select(steep, 0.831469612f, 0.980785280f);  // cos 33.75, cos 11.25 degrees
     Real b = select(steep, 0.555570233f, 0.195090322f);  // their sines
     Int sign_x = Int(hash & 0x80000000u);
     Int sign_y = Int((hash << 1) & 0x80000000u);
-    Real gx = intBitsToFloat(floatBitsToInt(select(swapped, b, a)) ^ sign_x);
-    Real gy = intBitsToFloat(floatBitsToInt(select(swapped, a, b)) ^ sign_y);
-    return gx * x + gy * y;
+    return Real2(intBitsToFloat(floatBitsToInt(select(swapped, b, a)) ^ sign_x),
+                 intBitsToFloat(floatBitsToInt(select(swapped, a, b)) ^ sign_y));
+}
+
+/// The gradients at the corners of a cell.
+struct GradientCorners {
+    Real2 g00, g10, g01, g11;
+};
+GradientCorners gradient_corners(Real2 cell, int period_x, int period_y, uint seed) {
+    CornerHashes hashes = corner_hashes(cell, period_x, period_y, seed);
+    GradientCorners corners;
+    corners.g00 = lattice_gradient(hashes.h00);
+    corners.g10 = lattice_gradient(hashes.h10);
+    corners.g01 = lattice_gradient(hashes.h01);
+    corners.g11 = lattice_gradient(hashes.h11);
+    return corners;
+}
+Real perlin_between(GradientCorners corners, NoisePlace place) {
+    Real x = place.position.x - place.cell.x;
+    Real y = place.position.y - place.cell.y;
+    Real u = quintic_fade(x);
+    Real v = quintic_fade(y);
+    Real n00 = corners.g00.x * x + corners.g00.y * y;
+    Real n10 = corners.g10.x * (x - 1.0f) + corners.g10.y * y;
+    Real n01 = corners.g01.x * x + corners.g01.y * (y - 1.0f);
+    Real n11 = corners.g11.x * (x - 1.0f) + corners.g11.y * (y - 1.0f);
+    Real top = n00 + (n10 - n00) * u;
+    Real bottom = n01 + (n11 - n01) * u;
+    // Unit gradients give at most sqrt(1/2), in the middle of a cell.
+    return clamp(0.5f + 0.707106781f * (top + (bottom - top) * v), 0.0f, 1.0f);
 }
 
 /// Perlin's gradient noise. 0.5 at every lattice point; range 0..1, mean 0.5. It may tile after
 /// different numbers of cells in x and in y.
 /// Ken Perlin, "An image synthesizer", SIGGRAPH 1985, with the fade of 2002.
 Real perlin_noise_xy(Real2 position, int period_x, int period_y, uint seed) {
-    Real2 cell = floor(position);
-    Int x0 = wrapped_cell(cell.x, period_x);
-    Int y0 = wrapped_cell(cell.y, period_y);
-    Int x1 = next_cell(x0, period_x);
-    Int y1 = next_cell(y0, period_y);
-    Real x = position.x - cell.x;
-    Real y = position.y - cell.y;
-    Real u = quintic_fade(x);
-    Real v = quintic_fade(y);
-    Real n00 = gradient_product(lattice_hash(x0, y0, seed), x, y);
-    Real n10 = gradient_product(lattice_hash(x1, y0, seed), x - 1.0f, y);
-    Real n01 = gradient_product(lattice_hash(x0, y1, seed), x, y - 1.0f);
-    Real n11 = gradient_product(lattice_hash(x1, y1, seed), x - 1.0f, y - 1.0f);
-    Real top = n00 + (n10 - n00) * u;
-    Real bottom = n01 + (n11 - n01) * u;
-    // Unit gradients give at most sqrt(1/2), in the middle of a cell.
-    return clamp(0.5f + 0.707106781f * (top + (bottom - top) * v), 0.0f, 1.0f);
+    NoisePlace place = noise_place(position);
+    return perlin_between(gradient_corners(place.cell, period_x, period_y, seed), place);
 }
 
 /// Perlin's noise with the same period in x and in y.
@@ -128,132 +180,186 @@ Real perlin_noise(Real2 position, int period, uint seed) {
     return perlin_noise_xy(position, period, period, seed);
 }
 
-/// What a corner of a simplex adds: its gradient's slope, fading to nothing 0.9 cells away.
-/// twice_x: twice the corner's x, which is whole; x, y: from the corner.
-Real simplex_corner(Real twice_x, Real corner_y, int period, int period_y, uint seed, Real x,
-                    Real y) {
-    Uint hash =
-        lattice_hash(wrapped_cell(twice_x, 2 * period), wrapped_cell(corner_y, period_y), seed);
-    Real reach = max(0.8f - x * x - y * y, 0.0f);
-    reach = reach * reach;
-    return reach * reach * gradient_product(hash, x, y);
+/// Where simplex noise looks, on a lattice that is sheared to squares: `cell` is of that one. Rows of
+/// triangles are a little stretched to be even in number.
+NoisePlace simplex_place(Real2 position, int period) {
+    int period_y = period + (period & 1);
+    NoisePlace place;
+    place.position =
+        Real2(position.x, position.y * (float(period_y) / float(period)));
+    place.cell =
+        Real2(floor(place.position.x + 0.5f * place.position.y), floor(place.position.y));
+    return place;
 }
 
-/// Simplex noise: gradients at the corners of triangles, so that no axis stands out. Range 0..1,
-/// mean 0.5. Tiles at every period: rows of triangles are a little stretched to be even in number.
-/// Stefan Gustavson and Ian McEwan, "Tiling simplex noise and flow noise in two and three
-/// dimensions", JCGT 2022 (the lattice of psrdnoise).
-Real simplex_noise(Real2 position, int period, uint seed) {
+/// The gradients at the corners of two triangles, which share an edge: two of the upper row, and two
+/// of the lower one, half a cell further left. Corners of a row have whole or half x.
+GradientCorners simplex_corners(Real2 cell, int period, uint seed) {
     int period_y = period + (period & 1);
-    Real px = position.x;
-    Real py = position.y * (float(period_y) / float(period));
-    // The lattice, sheared to squares.
-    Real sx = px + 0.5f * py;
-    Real ix = floor(sx);
-    Real iy = floor(py);
-    Real fx = sx - ix;
-    Real fy = py - iy;
-    Real right = select(fx >= fy, Real(1.0f), Real(0.0f));  // which of the two triangles
-    Real x0 = ix - 0.5f * iy;
+    Int x = wrapped_cell(2.0f * cell.x - cell.y, 2 * period);  // twice the upper left corner's x
+    Int y0 = wrapped_cell(cell.y, period_y);
+    Int y1 = next_cell(y0, period_y);
+    Int after = next_cell(x, 2 * period);
+    GradientCorners corners;
+    corners.g00 = lattice_gradient(lattice_hash(x, y0, seed));
+    corners.g10 = lattice_gradient(lattice_hash(next_cell(after, 2 * period), y0, seed));
+    corners.g01 = lattice_gradient(lattice_hash(previous_cell(x, 2 * period), y1, seed));
+    corners.g11 = lattice_gradient(lattice_hash(after, y1, seed));
+    return corners;
+}
+
+/// What a corner of a simplex adds: its gradient's slope, fading to nothing 0.9 cells away.
+/// x, y: from the corner.
+Real simplex_corner(Real2 gradient, Real x, Real y) {
+    Real reach = max(0.8f - x * x - y * y, 0.0f);
+    reach = reach * reach;
+    return reach * reach * (gradient.x * x + gradient.y * y);
+}
+Real simplex_between(GradientCorners corners, NoisePlace place) {
+    Real px = place.position.x;
+    Real py = place.position.y;
+    Real fx = (px + 0.5f * py) - place.cell.x;
+    Real fy = py - place.cell.y;
+    Bool is_right = fx >= fy;  // which of the two triangles
+    Real right = select(is_right, Real(1.0f), Real(0.0f));
+    Real x0 = place.cell.x - 0.5f * place.cell.y;
     Real x1 = x0 + right - 0.5f * (1.0f - right);
-    Real y1 = iy + (1.0f - right);
+    Real y1 = place.cell.y + (1.0f - right);
     Real x2 = x0 + 0.5f;
-    Real y2 = iy + 1.0f;
-    Real sum = simplex_corner(2.0f * x0, iy, period, period_y, seed, px - x0, py - iy) +
-               simplex_corner(2.0f * x1, y1, period, period_y, seed, px - x1, py - y1) +
-               simplex_corner(2.0f * x2, y2, period, period_y, seed, px - x2, py - y2);
+    Real y2 = place.cell.y + 1.0f;
+    Real2 second = Real2(select(is_right, corners.g10.x, corners.g01.x),
+                         select(is_right, corners.g10.y, corners.g01.y));
+    Real sum = simplex_corner(corners.g00, px - x0, py - place.cell.y) +
+               simplex_corner(second, px - x1, py - y1) +
+               simplex_corner(corners.g11, px - x2, py - y2);
     // 10.9 brings the sum to -1..1 (psrdnoise).
     return clamp(0.5f + 5.45f * sum, 0.0f, 1.0f);
 }
 
-/// The squared distance from (x, y) within a cell to the feature point of the cell at `offset`.
-Real feature_distance_squared(Int cell_x, Int cell_y, uint seed, Real x, Real y) {
-    Uint hash = lattice_hash(cell_x, cell_y, seed);
-    Real dx = Real(Int(hash >> 16)) * 1.52587890625e-5f + x;  // 2^-16
-    Real dy = Real(Int(hash & 0xffffu)) * 1.52587890625e-5f + y;
-    return dx * dx + dy * dy;
+/// Simplex noise: gradients at the corners of triangles, so that no axis stands out. Range 0..1,
+/// mean 0.5. Tiles at every period.
+/// Stefan Gustavson and Ian McEwan, "Tiling simplex noise and flow noise in two and three
+/// dimensions", JCGT 2022 (the lattice of psrdnoise).
+Real simplex_noise(Real2 position, int period, uint seed) {
+    NoisePlace place = simplex_place(position, period);
+    return simplex_between(simplex_corners(place.cell, period, seed), place);
 }
 
-/// The nearest feature point in a row of three cells; y from the sought point to the row's corner.
-Real nearest_in_row(Int x_before, Int x_here, Int x_after, Int cell_y, uint seed, Real x, Real y) {
-    Real before = feature_distance_squared(x_before, cell_y, seed, x - 1.0f, y);
-    Real here = feature_distance_squared(x_here, cell_y, seed, x, y);
-    Real after = feature_distance_squared(x_after, cell_y, seed, x + 1.0f, y);
-    return min(min(before, here), after);
-}
-
-/// Worley noise F1: the distance to the nearest of the feature points, one in each cell, held to 1.
-/// Range 0..1, 0 at the points. Steven Worley, "A cellular texture basis function", SIGGRAPH 1996;
-/// the 3 x 3 cells around are searched, as is usual.
-Real worley_noise(Real2 position, int period, uint seed) {
-    Real2 cell = floor(position);
-    Int x1 = wrapped_cell(cell.x, period);
-    Int y1 = wrapped_cell(cell.y, period);
-    Int x0 = previous_cell(x1, period);
-    Int x2 = next_cell(x1, period);
-    Real x = cell.x - position.x;
-    Real y = cell.y - position.y;
-    Real above = nearest_in_row(x0, x1, x2, previous_cell(y1, period), seed, x, y - 1.0f);
-    Real here = nearest_in_row(x0, x1, x2, y1, seed, x, y);
-    Real below = nearest_in_row(x0, x1, x2, next_cell(y1, period), seed, x, y + 1.0f);
-    return min(sqrt(min(min(above, here), below)), 1.0f);
-}
-
-/// The two nearest feature points: their distances, and the number and place of each.
-struct Features {
-    Real first;   // squared distance
-    Real second;  // of the next one
-    Uint first_hash;
-    Uint second_hash;
-    Real first_x, first_y;  // from the sought point
-    Real second_x, second_y;
+/// The feature points of the 3 x 3 cells around a place, one in each: the cell itself, those left,
+/// right, above and below it, then the corners. x, y: from the corner of its own cell, 0..1.
+struct FeaturePoints {
+    Uint hash[9];
+    Real x[9];
+    Real y[9];
 };
 
-/// Takes the feature point of one cell in; x, y: from the sought point to the cell's corner.
-Features with_feature(Features near, Int cell_x, Int cell_y, uint seed, Real x, Real y) {
-    Uint hash = lattice_hash(cell_x, cell_y, seed);
-    Real dx = Real(Int(hash >> 16)) * 1.52587890625e-5f + x;  // 2^-16
-    Real dy = Real(Int(hash & 0xffffu)) * 1.52587890625e-5f + y;
-    Real distance = dx * dx + dy * dy;
-    Bool is_first = distance < near.first;
-    Bool is_second = distance < near.second;
-    Features next;
-    next.second = select(is_first, near.first, select(is_second, distance, near.second));
-    next.second_hash =
-        select(is_first, near.first_hash, select(is_second, hash, near.second_hash));
-    next.second_x = select(is_first, near.first_x, select(is_second, dx, near.second_x));
-    next.second_y = select(is_first, near.first_y, select(is_second, dy, near.second_y));
-    next.first = select(is_first, distance, near.first);
-    next.first_hash = select(is_first, hash, near.first_hash);
-    next.first_x = select(is_first, dx, near.first_x);
-    next.first_y = select(is_first, dy, near.first_y);
-    return next;
+/// The upper and the lower half of a hash, 0..1, 1 excluded. Exact.
+Real upper_unit(Uint hash) {
+    return Real(Int(hash >> 16)) * 1.52587890625e-5f;  // 2^-16
+}
+Real lower_unit(Uint hash) {
+    return Real(Int(hash & 0xffffu)) * 1.52587890625e-5f;
 }
 
-/// The two nearest feature points of Worley's noise among the 3 x 3 cells around.
-Features nearest_features(Real2 position, int period, uint seed) {
-    Real2 cell = floor(position);
+FeaturePoints feature_points(Real2 cell, int period, uint seed) {
     Int x1 = wrapped_cell(cell.x, period);
     Int y1 = wrapped_cell(cell.y, period);
     Int x0 = previous_cell(x1, period);
     Int x2 = next_cell(x1, period);
     Int y0 = previous_cell(y1, period);
     Int y2 = next_cell(y1, period);
-    Real x = cell.x - position.x;
-    Real y = cell.y - position.y;
+    FeaturePoints points;
+    points.hash[0] = lattice_hash(x1, y1, seed);
+    points.hash[1] = lattice_hash(x0, y1, seed);
+    points.hash[2] = lattice_hash(x2, y1, seed);
+    points.hash[3] = lattice_hash(x1, y0, seed);
+    points.hash[4] = lattice_hash(x1, y2, seed);
+    points.hash[5] = lattice_hash(x0, y0, seed);
+    points.hash[6] = lattice_hash(x2, y0, seed);
+    points.hash[7] = lattice_hash(x0, y2, seed);
+    points.hash[8] = lattice_hash(x2, y2, seed);
+    for (int i = 0; i < 9; ++i) {
+        points.x[i] = upper_unit(points.hash[i]);
+        points.y[i] = lower_unit(points.hash[i]);
+    }
+    return points;
+}
+
+/// The squared distance to a feature point; x, y: from the sought point to the corner of its cell.
+Real feature_distance_squared(Real point_x, Real point_y, Real x, Real y) {
+    Real dx = point_x + x;
+    Real dy = point_y + y;
+    return dx * dx + dy * dy;
+}
+
+Real worley_between(FeaturePoints points, NoisePlace place) {
+    Real x = place.cell.x - place.position.x;
+    Real y = place.cell.y - place.position.y;
+    Real left = x - 1.0f, right = x + 1.0f;
+    Real up = y - 1.0f, down = y + 1.0f;
+    Real here = min(min(feature_distance_squared(points.x[0], points.y[0], x, y),
+                        feature_distance_squared(points.x[1], points.y[1], left, y)),
+                    feature_distance_squared(points.x[2], points.y[2], right, y));
+    Real above = min(min(feature_distance_squared(points.x[3], points.y[3], x, up),
+                         feature_distance_squared(points.x[5], points.y[5], left, up)),
+                     feature_distance_squared(points.x[6], points.y[6], right, up));
+    Real below = min(min(feature_distance_squared(points.x[4], points.y[4], x, down),
+                         feature_distance_squared(points.x[7], points.y[7], left, down)),
+                     feature_distance_squared(points.x[8], points.y[8], right, down));
+    return min(sqrt(min(min(above, here), below)), 1.0f);
+}
+
+/// Worley noise F1: the distance to the nearest of the feature points, one in each cell, held to 1.
+/// Range 0..1, 0 at the points. Steven Worley, "A cellular texture basis function", SIGGRAPH 1996;
+/// the 3 x 3 cells around are searched, as is usual.
+Real worley_noise(Real2 position, int period, uint seed) {
+    NoisePlace place = noise_place(position);
+    return worley_between(feature_points(place.cell, period, seed), place);
+}
+
+/// The two nearest feature points: the distance and the place of each.
+struct Features {
+    Real first;   // squared distance
+    Real second;  // of the next one
+    Real first_x, first_y;  // from the sought point
+    Real second_x, second_y;
+};
+
+/// Takes the feature point of one cell in; x, y: from the sought point to the cell's corner.
+Features with_feature(Features near, Real point_x, Real point_y, Real x, Real y) {
+    Real dx = point_x + x;
+    Real dy = point_y + y;
+    Real distance = dx * dx + dy * dy;
+    Bool is_first = distance < near.first;
+    Bool is_second = distance < near.second;
+    Features next;
+    next.second = min(near.second, max(near.first, distance));
+    next.second_x = select(is_first, near.first_x, select(is_second, dx, near.second_x));
+    next.second_y = select(is_first, near.first_y, select(is_second, dy, near.second_y));
+    next.first = min(near.first, distance);
+    next.first_x = select(is_first, dx, near.first_x);
+    next.first_y = select(is_first, dy, near.first_y);
+    return next;
+}
+
+/// The two nearest of the feature points around.
+Features nearest_features(FeaturePoints points, NoisePlace place) {
+    Real x = place.cell.x - place.position.x;
+    Real y = place.cell.y - place.position.y;
+    Real left = x - 1.0f, right = x + 1.0f;
+    Real up = y - 1.0f, down = y + 1.0f;
     Features near;
     near.first = near.second = Real(100.0f);
-    near.first_hash = near.second_hash = Uint(0u);
     near.first_x = near.first_y = near.second_x = near.second_y = Real(0.0f);
-    near = with_feature(near, x1, y1, seed, x, y);
-    near = with_feature(near, x0, y1, seed, x - 1.0f, y);
-    near = with_feature(near, x2, y1, seed, x + 1.0f, y);
-    near = with_feature(near, x1, y0, seed, x, y - 1.0f);
-    near = with_feature(near, x1, y2, seed, x, y + 1.0f);
-    near = with_feature(near, x0, y0, seed, x - 1.0f, y - 1.0f);
-    near = with_feature(near, x2, y0, seed, x + 1.0f, y - 1.0f);
-    near = with_feature(near, x0, y2, seed, x - 1.0f, y + 1.0f);
-    return with_feature(near, x2, y2, seed, x + 1.0f, y + 1.0f);
+    near = with_feature(near, points.x[0], points.y[0], x, y);
+    near = with_feature(near, points.x[1], points.y[1], left, y);
+    near = with_feature(near, points.x[2], points.y[2], right, y);
+    near = with_feature(near, points.x[3], points.y[3], x, up);
+    near = with_feature(near, points.x[4], points.y[4], x, down);
+    near = with_feature(near, points.x[5], points.y[5], left, up);
+    near = with_feature(near, points.x[6], points.y[6], right, up);
+    near = with_feature(near, points.x[7], points.y[7], left, down);
+    return with_feature(near, points.x[8], points.y[8], right, down);
 }
 
 /// The distance from the sought point to the border between the cells of the two nearest feature
@@ -264,31 +370,118 @@ Real feature_border_distance(Features near) {
     return 0.5f * (near.second - near.first) * inversesqrt(max(dx * dx + dy * dy, 1e-8f));
 }
 
+Real worley_f2_between(FeaturePoints points, NoisePlace place) {
+    return min(sqrt(nearest_features(points, place).second), 1.0f);
+}
+
 /// Worley noise F2: the distance to the second nearest feature point, held to 1. Range 0..1.
 Real worley_noise_f2(Real2 position, int period, uint seed) {
-    return min(sqrt(nearest_features(position, period, seed).second), 1.0f);
+    NoisePlace place = noise_place(position);
+    return worley_f2_between(feature_points(place.cell, period, seed), place);
+}
+
+Real worley_edges_between(FeaturePoints points, NoisePlace place) {
+    Features near = nearest_features(points, place);
+    return min(sqrt(near.second), 1.0f) - min(sqrt(near.first), 1.0f);
 }
 
 /// Worley noise F2 - F1: 0 on the borders of the cells. Range 0..1. Distances are held to 1 first,
 /// beyond which the 3 x 3 cells do not say which point is the second nearest.
 Real worley_noise_edges(Real2 position, int period, uint seed) {
-    Features near = nearest_features(position, period, seed);
-    return min(sqrt(near.second), 1.0f) - min(sqrt(near.first), 1.0f);
+    NoisePlace place = noise_place(position);
+    return worley_edges_between(feature_points(place.cell, period, seed), place);
+}
+
+/// The ways from the sought point to the feature points around, squared lengths beside.
+struct FeatureWays {
+    Real x[9];
+    Real y[9];
+    Real squared[9];
+};
+FeatureWays feature_ways(FeaturePoints points, NoisePlace place) {
+    Real x = place.cell.x - place.position.x;
+    Real y = place.cell.y - place.position.y;
+    Real left = x - 1.0f, right = x + 1.0f;
+    Real up = y - 1.0f, down = y + 1.0f;
+    FeatureWays ways;
+    ways.x[0] = points.x[0] + x;
+    ways.x[1] = points.x[1] + left;
+    ways.x[2] = points.x[2] + right;
+    ways.x[3] = points.x[3] + x;
+    ways.x[4] = points.x[4] + x;
+    ways.x[5] = points.x[5] + left;
+    ways.x[6] = points.x[6] + right;
+    ways.x[7] = points.x[7] + left;
+    ways.x[8] = points.x[8] + right;
+    ways.y[0] = points.y[0] + y;
+    ways.y[1] = points.y[1] + y;
+    ways.y[2] = points.y[2] + y;
+    ways.y[3] = points.y[3] + up;
+    ways.y[4] = points.y[4] + down;
+    ways.y[5] = points.y[5] + up;
+    ways.y[6] = points.y[6] + up;
+    ways.y[7] = points.y[7] + down;
+    ways.y[8] = points.y[8] + down;
+    for (int i = 0; i < 9; ++i)
+        ways.squared[i] = ways.x[i] * ways.x[i] + ways.y[i] * ways.y[i];
+    return ways;
+}
+
+/// The random number of a feature point's cell.
+Real feature_value(Uint hash) {
+    return unit_from_hash(hash * 0x9e3779b1u);
+}
+
+Real cells_between(FeaturePoints points, NoisePlace place, float footprint) {
+    FeatureWays ways = feature_ways(points, place);
+    Real first = ways.squared[0];
+    Real second = 100.0f;
+    Uint own = points.hash[0];
+    for (int i = 1; i < 9; ++i) {
+        own = select(ways.squared[i] < first, points.hash[i], own);
+        second = min(second, max(first, ways.squared[i]));
+        first = min(first, ways.squared[i]);
+    }
+    // The border is at least half of what the second point is farther away than the first; from
+    // half a footprint on the cell has the texel to itself.
+    if (!any_lane(sqrt(second) - sqrt(first) < 1.01f * footprint + 1e-3f))
+        return feature_value(own);
+    Uint next = points.hash[0];
+    Features near;
+    near.first = first;
+    near.second = second;
+    near.first_x = near.second_x = ways.x[0];
+    near.first_y = near.second_y = ways.y[0];
+    for (int i = 1; i < 9; ++i) {
+        Bool is_first = ways.squared[i] == first;
+        Bool is_second = ways.squared[i] == second;
+        near.first_x = select(is_first, ways.x[i], near.first_x);
+        near.first_y = select(is_first, ways.y[i], near.first_y);
+        near.second_x = select(is_second, ways.x[i], near.second_x);
+        near.second_y = select(is_second, ways.y[i], near.second_y);
+        next = select(is_second, points.hash[i], next);
+    }
+    Real share = clamp(0.5f - feature_border_distance(near) / max(footprint, 1e-4f), 0.0f, 0.5f);
+    return mix(feature_value(own), feature_value(next), share);
 }
 
 /// A random number for each cell of Worley's noise, 0..1, mean 0.5. Borders are as soft as the
 /// footprint (the width of a texel in cells), where two cells share a texel.
 Real cell_noise(Real2 position, int period, uint seed, float footprint) {
-    Features near = nearest_features(position, period, seed);
-    Real own = unit_from_hash(near.first_hash * 0x9e3779b1u);
-    Real next = unit_from_hash(near.second_hash * 0x9e3779b1u);
-    Real share = clamp(0.5f - feature_border_distance(near) / max(footprint, 1e-4f), 0.0f, 0.5f);
-    return mix(own, next, share);
+    NoisePlace place = noise_place(position);
+    return cells_between(feature_points(place.cell, period, seed), place, footprint);
 }
 
 /// How far a noise of 0..1 is from its middle, 0..1: the octaves of turbulence (Perlin, 1985).
 Real folded(Real noise) {
     return abs(noise + noise - 1.0f);
+}
+
+/// A ridge where a noise of 0..1 is in its middle: the octaves of ridged noise. F. Kenton Musgrave,
+/// in "Texturing and Modeling", 1994, without the feedback.
+Real ridged(Real noise) {
+    Real ridge = 1.0f - folded(noise);
+    return ridge * ridge;
 }
 
 /// The noise of a kind NOISE_...
@@ -301,9 +494,7 @@ Real noise(int kind, Real2 position, int period, uint seed, float footprint) {
     if (kind == NOISE_WORLEY_F2) return worley_noise_f2(position, period, seed);
     if (kind == NOISE_WORLEY_EDGES) return worley_noise_edges(position, period, seed);
     if (kind == NOISE_CELLS) return cell_noise(position, period, seed, footprint);
-    // Ridges: F. Kenton Musgrave, in "Texturing and Modeling", 1994, without the feedback.
-    Real ridge = 1.0f - folded(perlin_noise(position, period, seed));
-    return ridge * ridge;
+    return ridged(perlin_noise(position, period, seed));
 }
 
 /// The mean of a kind of noise, to which detail fades that is too small to be shown.
@@ -322,6 +513,33 @@ float octave_visibility(float footprint) {
     return clamp(2.0f - 4.0f * footprint, 0.0f, 1.0f);
 }
 
+/// One octave of a sum: how often the first one's cells fit into its own, its part of the sum, and
+/// how much of that is shown.
+struct Octave {
+    float frequency;
+    float strength;
+    float shown;
+};
+Octave first_octave(float footprint) {
+    Octave octave;
+    octave.frequency = 1.0f;
+    octave.strength = 1.0f;
+    octave.shown = octave_visibility(footprint);
+    return octave;
+}
+Octave next_octave(Octave octave, float gain, float footprint) {
+    Octave next;
+    next.frequency = octave.frequency * 2.0f;
+    next.strength = octave.strength * gain;
+    next.shown = next.strength * octave_visibility(footprint * next.frequency);
+    return next;
+}
+
+/// A sum of octaves with one more, `value`, of a noise of that mean.
+Real with_octave(Real sum, Octave octave, float mean, Real value) {
+    return sum + octave.shown * (value - mean) + octave.strength * mean;
+}
+
 /// Fractional Brownian motion: octaves of a noise, each of twice the frequency and `gain` times the
 /// strength of the one before, as their weighted mean. Range 0..1; with one octave it is the noise.
 /// footprint: the width of a texel in cells of the first octave (0: show everything); octaves that
@@ -330,22 +548,17 @@ float octave_visibility(float footprint) {
 Real fbm(int kind, Real2 position, int period, uint seed, int octaves, float gain,
          float footprint) {
     float total = 0.0f;
-    float strength = 1.0f;
-    float frequency = 1.0f;
+    float mean = noise_mean(kind);
+    Octave octave = first_octave(footprint);
     Real sum = 0.0f;
-    for (int octave = 0; octave < octaves; ++octave) {
-        float shown = strength * octave_visibility(footprint * frequency);
-        float mean = noise_mean(kind);
-        if (shown > 0.0f) {
-            Real value =
-                noise(kind, position * frequency, period << octave, derived_seed(seed, octave),
-                      footprint * frequency);
-            sum = sum + shown * (value - mean);
-        }
-        total = total + strength;
-        sum = sum + strength * mean;
-        strength = strength * gain;
-        frequency = frequency * 2.0f;
+    for (int i = 0; i < octaves; ++i) {
+        Real value = mean;
+        if (octave.shown > 0.0f)
+            value = noise(kind, position * octave.frequency, period << i, derived_seed(seed, i),
+                          footprint * octave.frequency);
+        sum = with_octave(sum, octave, mean, value);
+        total = total + octave.strength;
+        octave = next_octave(octave, gain, footprint);
     }
     return clamp(sum / total, 0.0f, 1.0f);
 }

@@ -241,99 +241,194 @@ Real spots(Pattern pattern, Real2 position) {
     return soft_edge(max(max(above, here), below), edge_width(pattern));
 }
 
-/// The scratch of one cell; x, y: from the sought point to the cell's corner.
-Real scratch(Pattern pattern, Int cell_x, Int cell_y, uint seed, Real x, Real y) {
-    Uint hash = lattice_hash(cell_x, cell_y, seed);
-    Real middle_x = x + 0.25f + 0.5f * byte_from_hash(hash, 24);
-    Real middle_y = y + 0.25f + 0.5f * byte_from_hash(hash, 16);
-    Real strength = byte_from_hash(hash, 0);
-    // A direction within the spread, its sine by a parabola: exact where it counts, at 0 and 90.
-    Real angle = (byte_from_hash(hash, 8) - 0.5f) * pattern.variation;  // of half a turn
-    Real sine = 4.0f * angle * (1.0f - abs(angle));
-    Real cosine = sqrt(1.0f - sine * sine);
-    Real along = middle_x * cosine + middle_y * sine;
-    Real across = abs(middle_y * cosine - middle_x * sine);
-    // Never longer than the cells around reach.
-    Real half_length = 0.25f + 0.75f * strength;
-    Real taper = max(1.0f - (along * along) / (half_length * half_length), 0.0f);
-    // Thinner than a texel, a line is as faint as the share of the texel that it covers.
-    Real half_width = 0.04f * pattern.width * taper;
-    float texel = max(pattern.footprint, 1e-4f);
-    Real cover = clamp((half_width - across) * (1.0f / texel) + 0.5f, 0.0f, 1.0f) *
-                 min(half_width * (2.0f / texel), 1.0f);
-    return cover * (0.3f + 0.7f * strength);
+/// The hashes of 3 x 3 cells, row by row.
+struct NineHashes {
+    Uint of[9];
+};
+
+/// The scratches of the 3 x 3 cells around a place, row by row: the middle of each (from a quarter
+/// inside the corner of its own cell), its direction, half its length squared, and how strong it is.
+struct Scratches {
+    Real middle_x[9];
+    Real middle_y[9];
+    Real cosine[9];
+    Real sine[9];
+    Real reach[9];
+    Real strength[9];
+};
+Scratches scratches_around(Pattern pattern, Real2 cell, uint seed) {
+    Surroundings around = surroundings(pattern, cell);
+    NineHashes hashes;
+    hashes.of[0] = lattice_hash(around.x0, around.y0, seed);
+    hashes.of[1] = lattice_hash(around.x1, around.y0, seed);
+    hashes.of[2] = lattice_hash(around.x2, around.y0, seed);
+    hashes.of[3] = lattice_hash(around.x0, around.y1, seed);
+    hashes.of[4] = lattice_hash(around.x1, around.y1, seed);
+    hashes.of[5] = lattice_hash(around.x2, around.y1, seed);
+    hashes.of[6] = lattice_hash(around.x0, around.y2, seed);
+    hashes.of[7] = lattice_hash(around.x1, around.y2, seed);
+    hashes.of[8] = lattice_hash(around.x2, around.y2, seed);
+    Scratches scratches;
+    for (int i = 0; i < 9; ++i) {
+        Real strength = byte_from_hash(hashes.of[i], 0);
+        // A direction within the spread, its sine by a parabola: exact where it counts, at 0 and 90.
+        Real angle = (byte_from_hash(hashes.of[i], 8) - 0.5f) * pattern.variation;  // of half a turn
+        Real sine = 4.0f * angle * (1.0f - abs(angle));
+        // Never longer than the cells around reach.
+        Real half_length = 0.25f + 0.75f * strength;
+        scratches.middle_x[i] = 0.5f * byte_from_hash(hashes.of[i], 24);
+        scratches.middle_y[i] = 0.5f * byte_from_hash(hashes.of[i], 16);
+        scratches.cosine[i] = sqrt(1.0f - sine * sine);
+        scratches.sine[i] = sine;
+        scratches.reach[i] = half_length * half_length;
+        scratches.strength[i] = 0.3f + 0.7f * strength;
+    }
+    return scratches;
 }
 
-/// The strongest scratch of a row of three cells.
-Real scratches_of_row(Pattern pattern, Surroundings around, Int cell_y, uint seed, Real y) {
-    Real before = scratch(pattern, around.x0, cell_y, seed, around.x - 1.0f, y);
-    Real here = scratch(pattern, around.x1, cell_y, seed, around.x, y);
-    Real after = scratch(pattern, around.x2, cell_y, seed, around.x + 1.0f, y);
-    return max(max(before, here), after);
+/// The strongest scratch at a place.
+Real scratches_between(Pattern pattern, Scratches scratches, NoisePlace place) {
+    float texel = max(pattern.footprint, 1e-4f);
+    // Nothing is seen from there on, whatever the taper.
+    float beyond = 0.04f * pattern.width + 0.51f * texel;
+    Real most = 0.0f;
+    for (int i = 0; i < 9; ++i) {
+        Real x = place.cell.x - place.position.x + float(i % 3 - 1) + 0.25f + scratches.middle_x[i];
+        Real y = place.cell.y - place.position.y + float(i / 3 - 1) + 0.25f + scratches.middle_y[i];
+        Real along = x * scratches.cosine[i] + y * scratches.sine[i];
+        Real across = abs(y * scratches.cosine[i] - x * scratches.sine[i]);
+        if (any_lane(across < beyond)) {
+            Real taper = max(1.0f - (along * along) / scratches.reach[i], 0.0f);
+            // Thinner than a texel, a line is as faint as the share of the texel that it covers.
+            Real half_width = 0.04f * pattern.width * taper;
+            Real cover = clamp((half_width - across) * (1.0f / texel) + 0.5f, 0.0f, 1.0f) *
+                         min(half_width * (2.0f / texel), 1.0f);
+            most = max(most, cover * scratches.strength[i]);
+        }
+    }
+    return most;
+}
+
+/// Which seed a layer of scratches has, and how many layers there are.
+uint scratches_seed(Pattern pattern, int layer) {
+    return derived_seed(pattern.seed, layer);
+}
+int scratches_layers(Pattern pattern) {
+    return pattern.octaves < 2 ? 1 : 2;
 }
 
 /// Straight scratches of 1 on 0, one or (two octaves and more) two for each cell: all along x
 /// without variation, in any direction with it.
 Real scratches(Pattern pattern, Real2 position) {
-    Surroundings around = surroundings(pattern, position);
-    int layers = pattern.octaves < 2 ? 1 : 2;
+    NoisePlace place = noise_place(position);
     Real most = 0.0f;
-    for (int layer = 0; layer < layers; ++layer) {
-        uint seed = derived_seed(pattern.seed, layer);
-        Real above = scratches_of_row(pattern, around, around.y0, seed, around.y - 1.0f);
-        Real here = scratches_of_row(pattern, around, around.y1, seed, around.y);
-        Real below = scratches_of_row(pattern, around, around.y2, seed, around.y + 1.0f);
-        most = max(max(most, above), max(here, below));
-    }
+    for (int layer = 0; layer < scratches_layers(pattern); ++layer)
+        most = max(most, scratches_between(pattern,
+                                           scratches_around(pattern, place.cell,
+                                                            scratches_seed(pattern, layer)),
+                                           place));
     return most;
+}
+
+/// A Perlin noise beside a pattern: where it looks, in cells of its own.
+struct SideNoise {
+    float scale_x;  // its cells for each of the pattern's
+    float scale_y;
+    int period_x;
+    int period_y;
+    uint seed;
+};
+SideNoise side_noise(float scale_x, float scale_y, int period_x, int period_y, uint seed) {
+    SideNoise side;
+    side.scale_x = scale_x;
+    side.scale_y = scale_y;
+    side.period_x = period_x;
+    side.period_y = period_y;
+    side.seed = seed;
+    return side;
+}
+Real side_noise_value(SideNoise side, Real2 position) {
+    return perlin_noise_xy(Real2(position.x * side.scale_x, position.y * side.scale_y),
+                           side.period_x, side.period_y, side.seed);
+}
+
+/// How far it is to the border of a random cell, of which the feature points are given.
+Real border_between(FeaturePoints points, NoisePlace place) {
+    return feature_border_distance(nearest_features(points, place));
+}
+
+/// What makes cracks thin out.
+SideNoise cracks_slow(Pattern pattern) {
+    return side_noise(1.0f, 1.0f, pattern.columns, pattern.columns,
+                      derived_seed(pattern.seed, 3));
+}
+
+/// Cracks from the distance to the border of a cell and that noise.
+Real cracks_of(Pattern pattern, Real border_distance, Real slow) {
+    Real thin = 1.0f - pattern.variation * slow * 1.6f;
+    Real half_width = 0.12f * pattern.width * max(thin, 0.0f);
+    float texel = edge_width(pattern) * 0.25f + pattern.footprint;
+    Real cover = clamp((half_width - border_distance) / texel + 0.5f, 0.0f, 1.0f);
+    return cover * min(2.0f * half_width / texel, 1.0f);
 }
 
 /// Cracks along the borders of random cells, of 1 on 0; variation makes them thin out in places.
 Real cracks(Pattern pattern, Real2 position) {
-    Features near = nearest_features(position, pattern.columns, pattern.seed);
-    Real thin = 1.0f - pattern.variation *
-                           perlin_noise(position, pattern.columns, derived_seed(pattern.seed, 3)) *
-                           1.6f;
-    Real half_width = 0.12f * pattern.width * max(thin, 0.0f);
-    float texel = edge_width(pattern) * 0.25f + pattern.footprint;
-    Real cover = clamp((half_width - feature_border_distance(near)) / texel + 0.5f, 0.0f, 1.0f);
-    return cover * min(2.0f * half_width / texel, 1.0f);
+    NoisePlace place = noise_place(position);
+    FeaturePoints points = feature_points(place.cell, pattern.columns, pattern.seed);
+    return cracks_of(pattern, border_between(points, place),
+                     side_noise_value(cracks_slow(pattern), position));
 }
 
-/// The year rings of a board, sawn along x: slowly darker (towards 1) through each year, then light
-/// again at once; with fibres. The warp of the board grows with the variation.
-Real wood_rings(Pattern pattern, Real2 position) {
+/// What bends the year rings: a slow noise, `octave` 0, and one of twice its frequency.
+SideNoise wood_bend(Pattern pattern, int octave) {
     int bends_y = pattern.rows < 8 ? 1 : pattern.rows / 4;
     int bends_x = pattern.columns < 8 ? 1 : pattern.columns / 4;
-    float scale_x = float(bends_x) / float(pattern.columns);
-    float scale_y = float(bends_y) / float(pattern.rows);
-    Real2 slow = Real2(position.x * scale_x, position.y * scale_y);
-    Real bend = perlin_noise_xy(slow, bends_x, bends_y, derived_seed(pattern.seed, 1)) - 0.5f +
-                0.25f * (perlin_noise_xy(slow * 2.0f, 2 * bends_x, 2 * bends_y,
-                                         derived_seed(pattern.seed, 2)) -
-                         0.5f);
+    return side_noise(float(bends_x << octave) / float(pattern.columns),
+                      float(bends_y << octave) / float(pattern.rows), bends_x << octave,
+                      bends_y << octave, derived_seed(pattern.seed, 1 + octave));
+}
+SideNoise wood_fibre(Pattern pattern) {
+    return side_noise(1.0f, 8.0f, pattern.columns, pattern.rows * 8,
+                      derived_seed(pattern.seed, 4));
+}
+/// How much of the fibres is shown.
+float wood_fibre_shown(Pattern pattern) {
+    return octave_visibility(pattern.footprint * 8.0f);
+}
+
+/// Year rings from the values of those noises.
+Real wood_rings_of(Pattern pattern, Real2 position, Real slow, Real faster, Real fibre) {
+    Real bend = slow - 0.5f + 0.25f * (faster - 0.5f);
     Real ring = position.y + pattern.variation * 6.0f * bend;
     Real year = ring - floor(ring);
     // The bend makes rings denser in places: by at most some four times.
     float texel = max(pattern.footprint * (1.0f + 3.0f * pattern.variation), 1e-4f);
     float fall = max(pattern.softness, texel);
     Real value = min(year * year * (0.35f + 0.65f * year), (1.0f - year) / fall);
-    float fine = octave_visibility(pattern.footprint * 8.0f);
-    Real fibre = perlin_noise_xy(Real2(position.x, position.y * 8.0f), pattern.columns,
-                                 pattern.rows * 8, derived_seed(pattern.seed, 4));
     float shown = octave_visibility(texel);
     value = 0.25f + (value - 0.25f) * shown;
-    return clamp(value + fine * 0.35f * (fibre - 0.5f), 0.0f, 1.0f);
+    return clamp(value + wood_fibre_shown(pattern) * 0.35f * (fibre - 0.5f), 0.0f, 1.0f);
 }
 
-/// Marble: veins of 1 along y, bent by slow noise and frayed by turbulence, the more, the greater
-/// the variation.
-Real marble(Pattern pattern, Real2 position) {
+/// The year rings of a board, sawn along x: slowly darker (towards 1) through each year, then light
+/// again at once; with fibres. The warp of the board grows with the variation.
+Real wood_rings(Pattern pattern, Real2 position) {
+    return wood_rings_of(pattern, position, side_noise_value(wood_bend(pattern, 0), position),
+                         side_noise_value(wood_bend(pattern, 1), position),
+                         side_noise_value(wood_fibre(pattern), position));
+}
+
+/// What bends the veins of marble.
+SideNoise marble_bend(Pattern pattern) {
     int bends = pattern.columns < 4 ? 1 : pattern.columns / 2;
     float scale = float(bends) / float(pattern.columns);
-    Real bend = perlin_noise(position * scale, bends, derived_seed(pattern.seed, 2)) - 0.5f;
-    Real fray = fbm(NOISE_TURBULENCE, position, pattern.columns, derived_seed(pattern.seed, 1),
-                    pattern.octaves, 0.5f, pattern.footprint);
+    return side_noise(scale, scale, bends, bends, derived_seed(pattern.seed, 2));
+}
+
+/// Marble from that noise and from turbulence.
+Real marble_of(Pattern pattern, Real2 position, Real slow, Real fray) {
+    Real bend = slow - 0.5f;
     Real t = position.x + pattern.variation * (3.0f * bend + 1.5f * fray);
     Real ridge = abs(2.0f * fract(t) - 1.0f);
     // 1 in the middle of a vein: narrow ones fall off fast.
@@ -344,17 +439,65 @@ Real marble(Pattern pattern, Real2 position) {
     return mean + (vein * vein - mean) * shown;
 }
 
-/// Grunge: blots, grain and pores of use and dirt, blended.
-Real grunge(Pattern pattern, Real2 position) {
-    Real clouds = fbm(NOISE_PERLIN, position, pattern.columns, pattern.seed, pattern.octaves, 0.65f,
-                      pattern.footprint);
-    Real pores = fbm(NOISE_WORLEY, position * 2.0f, pattern.columns * 2,
-                     derived_seed(pattern.seed, 11), 1, 0.5f, pattern.footprint * 2.0f);
-    Real veins = fbm(NOISE_RIDGED, position, pattern.columns, derived_seed(pattern.seed, 12), 3,
-                     0.6f, pattern.footprint);
+/// Octaves of a noise beside a pattern.
+struct SideOctaves {
+    int kind;     // NOISE_...
+    float scale;  // cells of its first octave for each of the pattern's
+    uint seed;
+    int octaves;
+    float gain;
+};
+SideOctaves side_octaves(int kind, float scale, uint seed, int octaves, float gain) {
+    SideOctaves side;
+    side.kind = kind;
+    side.scale = scale;
+    side.seed = seed;
+    side.octaves = octaves;
+    side.gain = gain;
+    return side;
+}
+int side_period(SideOctaves side, Pattern pattern) {
+    return int(float(pattern.columns) * side.scale);
+}
+Real side_octaves_value(SideOctaves side, Pattern pattern, Real2 position) {
+    return fbm(side.kind, position * side.scale, side_period(side, pattern), side.seed,
+               side.octaves, side.gain, pattern.footprint * side.scale);
+}
+
+SideOctaves marble_fray(Pattern pattern) {
+    return side_octaves(NOISE_TURBULENCE, 1.0f, derived_seed(pattern.seed, 1), pattern.octaves,
+                        0.5f);
+}
+
+/// Marble: veins of 1 along y, bent by slow noise and frayed by turbulence, the more, the greater
+/// the variation.
+Real marble(Pattern pattern, Real2 position) {
+    return marble_of(pattern, position, side_noise_value(marble_bend(pattern), position),
+                     side_octaves_value(marble_fray(pattern), pattern, position));
+}
+
+SideOctaves grunge_clouds(Pattern pattern) {
+    return side_octaves(NOISE_PERLIN, 1.0f, pattern.seed, pattern.octaves, 0.65f);
+}
+SideOctaves grunge_pores(Pattern pattern) {
+    return side_octaves(NOISE_WORLEY, 2.0f, derived_seed(pattern.seed, 11), 1, 0.5f);
+}
+SideOctaves grunge_veins(Pattern pattern) {
+    return side_octaves(NOISE_RIDGED, 1.0f, derived_seed(pattern.seed, 12), 3, 0.6f);
+}
+
+/// Grunge from those.
+Real grunge_of(Pattern pattern, Real clouds, Real pores, Real veins) {
     Real value = 0.5f + 2.2f * (clouds - 0.5f) + pattern.variation * (0.9f * (pores - 0.43f) -
                                                                       0.7f * (veins - 0.55f));
     return clamp(value, 0.0f, 1.0f);
+}
+
+/// Grunge: blots, grain and pores of use and dirt, blended.
+Real grunge(Pattern pattern, Real2 position) {
+    return grunge_of(pattern, side_octaves_value(grunge_clouds(pattern), pattern, position),
+                     side_octaves_value(grunge_pores(pattern), pattern, position),
+                     side_octaves_value(grunge_veins(pattern), pattern, position));
 }
 
 /// About the mean of a pattern of cells, to which it fades where they are too small to be shown.
@@ -377,16 +520,25 @@ float pattern_mean(Pattern pattern) {
     return 0.5f;
 }
 
+/// The two noises that bend a place, of the pattern's own period.
+SideNoise warp_x(Pattern pattern) {
+    return side_noise(1.0f, 1.0f, pattern.columns, pattern.rows, derived_seed(pattern.seed, 21));
+}
+SideNoise warp_y(Pattern pattern) {
+    return side_noise(1.0f, 1.0f, pattern.columns, pattern.rows, derived_seed(pattern.seed, 22));
+}
+/// The place bent by them.
+Real2 warped_by(Pattern pattern, Real2 position, Real2 noise) {
+    float reach = 2.0f * pattern.warp * octave_visibility(pattern.footprint);
+    return Real2(position.x + reach * (noise.x - 0.5f), position.y + reach * (noise.y - 0.5f));
+}
+
 /// The place bent by a noise of the same period: domain warp. Unbent where the warp is 0.
 Real2 warped_position(Pattern pattern, Real2 position) {
     if (pattern.warp == 0.0f) return position;
-    float shown = octave_visibility(pattern.footprint);
-    float reach = 2.0f * pattern.warp * shown;
-    Real dx = perlin_noise_xy(position, pattern.columns, pattern.rows,
-                              derived_seed(pattern.seed, 21)) - 0.5f;
-    Real dy = perlin_noise_xy(position, pattern.columns, pattern.rows,
-                              derived_seed(pattern.seed, 22)) - 0.5f;
-    return Real2(position.x + reach * dx, position.y + reach * dy);
+    return warped_by(pattern, position,
+                     Real2(side_noise_value(warp_x(pattern), position),
+                           side_noise_value(warp_y(pattern), position)));
 }
 
 /// The pattern of cells at a place that is bent already, whatever a texel can show.
@@ -405,22 +557,44 @@ Real sharp_pattern(Pattern pattern, Real2 position) {
     return cracks(pattern, position);
 }
 
-/// A noise or pattern, 0..1. position: in cells, |position| < 2^20.
-Real pattern_value(Pattern pattern, Real2 position) {
-    Real2 place = warped_position(pattern, position);
+/// A pattern of cells as `sharp_pattern` gives it, and how much of it is shown.
+struct Shown {
+    float share;
+    float mean;  // what it fades to
+};
+Shown pattern_shown(Pattern pattern) {
+    Shown shown;
+    shown.share = octave_visibility(pattern.footprint);
+    shown.mean = pattern_mean(pattern);
+    return shown;
+}
+Real faded_pattern(Shown shown, Real value) {
+    return shown.mean + (value - shown.mean) * shown.share;
+}
+
+/// A bend makes the pattern denser in places, and a texel wider in it.
+Pattern bent_pattern(Pattern pattern) {
+    Pattern bent = pattern;
+    bent.footprint = pattern.footprint * (1.0f + 2.0f * pattern.warp);
+    return bent;
+}
+
+/// A noise or pattern at a place that is bent already.
+Real pattern_at(Pattern pattern, Real2 place) {
     if (pattern.kind < PATTERN_GRADIENT_LINEAR)
         return fbm(pattern.kind, place, pattern.columns, pattern.seed, pattern.octaves, 0.5f,
                    pattern.footprint);
     if (pattern.kind == PATTERN_WOOD_RINGS) return wood_rings(pattern, place);
     if (pattern.kind == PATTERN_MARBLE) return marble(pattern, place);
     if (pattern.kind == PATTERN_GRUNGE) return grunge(pattern, place);
-    float shown = octave_visibility(pattern.footprint);
-    float mean = pattern_mean(pattern);
-    if (shown == 0.0f) return Real(mean);
-    // A bend makes the pattern denser in places, and a texel wider in it.
-    Pattern bent = pattern;
-    bent.footprint = pattern.footprint * (1.0f + 2.0f * pattern.warp);
-    return mean + (sharp_pattern(bent, place) - mean) * shown;
+    Shown shown = pattern_shown(pattern);
+    if (shown.share == 0.0f) return Real(shown.mean);
+    return faded_pattern(shown, sharp_pattern(bent_pattern(pattern), place));
+}
+
+/// A noise or pattern, 0..1. position: in cells, |position| < 2^20.
+Real pattern_value(Pattern pattern, Real2 position) {
+    return pattern_at(pattern, warped_position(pattern, position));
 }
 
 #endif

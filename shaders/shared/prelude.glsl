@@ -29,3 +29,9 @@ int select(bool condition, int if_true, int if_false) {
 uint select(bool condition, uint if_true, uint if_false) {
     return condition ? if_true : if_false;
 }
+
+// Whether it holds anywhere among the values that are computed together: to leave out work that
+// would change nothing.
+bool any_lane(bool condition) {
+    return condition;
+}

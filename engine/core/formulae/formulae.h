@@ -9,7 +9,9 @@
 ///   per lane (may differ from texel to texel)   Real Real2 Real3 Real4 Int Uint Bool
 ///   uniform (the same for every texel)          float int uint bool
 ///   functions                                   GLSL's own under GLSL's names (min, mix, dot ...),
-///                                               and select(condition, if_true, if_false)
+///                                               select(condition, if_true, if_false), and
+///                                               any_lane(condition), which is uniform: an `if` on
+///                                               it leaves out what would change no value
 ///
 /// It has three forms. GLSL: shaders/shared/prelude.glsl makes Real a name for float; the loader of
 /// gl::Program puts it in front of every shader. One value in C++: this header. SIMD lanes in C++:

@@ -196,6 +196,10 @@ HWY_INLINE Uint select(Bool condition, Uint if_true, Uint if_false) {
     return Uint(hn::IfThenElse(mask, if_true.lanes, if_false.lanes));
 }
 
+HWY_INLINE bool any_lane(Bool condition) {
+    return !hn::AllFalse(RealLanes(), condition.mask);
+}
+
 HWY_INLINE Real min(Real a, Real b) {
     return Real(hn::Min(a.lanes, b.lanes));
 }

@@ -30,6 +30,10 @@ inline Uint select(bool condition, Uint if_true, Uint if_false) {
     return condition ? if_true : if_false;
 }
 
+inline bool any_lane(bool condition) {
+    return condition;
+}
+
 inline float min(float a, float b) {
     return a < b ? a : b;
 }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Procedurals along a row, whose cells are hashed once, are those that the shared text gives one
+// texel at a time.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+
+#include "composite/procedural_kernels.h"
+#include "composite/tile.h"
+#include "core/formulae/formulae.h"
+#include "document/choices.h"
+
+namespace patina {
+namespace {
+
+/// A run that begins and ends in the middle of a cell, `size` texels a side.
+ProceduralTask run_of(ProceduralKind kind, int size) {
+    return {.x = 5,
+            .count = std::min(size, kTileTexels) - 5,
+            .size = static_cast<float>(size),
+            .u_of_row = 0.013f,
+            .v_of_row = 0.61f,
+            .u_per_u = 1.0f,
+            .kind = kind,
+            .seed = 21,
+            .columns = 8,
+            .rows = 10,
+            .octaves = 6,
+            .footprint = 10.0f / static_cast<float>(size),
+            .stop_count = 2,
+            .stop_positions = {0.0f, 1.0f},
+            .stop_values = {{0.0f}, {1.0f}}};
+}
+
+formulae::Pattern pattern_of(const ProceduralTask& task) {
+    return {static_cast<int>(task.kind),
+            task.columns,
+            task.rows,
+            task.seed,
+            task.octaves,
+            task.width,
+            task.softness,
+            task.variation,
+            task.warp,
+            task.footprint};
+}
+
+/// The same by the text, for one place.
+float expected(const ProceduralTask& task, float u, float v) {
+    formulae::Ramp ramp = {};
+    ramp.count = task.stop_count;
+    for (int stop = 0; stop < task.stop_count; ++stop)
+        ramp.stops[stop] = {task.stop_positions[stop], task.stop_values[stop][0], 0.0f, 0.0f};
+    return formulae::ramp_scalar(
+        ramp, formulae::pattern_value(pattern_of(task), {u * static_cast<float>(task.columns),
+                                                         v * static_cast<float>(task.rows)}));
+}
+float expected(const ProceduralTask& task, int i) {
+    const float u = (static_cast<float>(task.x + i) + 0.5f) / task.size;
+    return expected(task, u * task.u_per_u + task.u_of_row, u * task.v_per_u + task.v_of_row);
+}
+
+int differing_texels(const ProceduralTask& task) {
+    alignas(64) float values[kTileTexels];
+    float* const planes[3] = {values, nullptr, nullptr};
+    run_procedural(task, planes);
+    int differing = 0;
+    for (int i = 0; i < task.count; ++i) differing += values[i] != expected(task, i);
+    return differing;
+}
+
+TEST(Procedurals, ARunIsTexelForTexelWhatTheTextSaysOnEveryInstructionSet) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        for (std::size_t kind = 0; kind < kProceduralKinds.size(); ++kind)
+            // From cells of a hundred texels, shared by runs of lanes, to some that fade out.
+            for (const int size : {17, 60, 1024}) {
+                ProceduralTask task = run_of(static_cast<ProceduralKind>(kind), size);
+                EXPECT_EQ(differing_texels(task), 0) << kProceduralKinds[kind].id << " at " << size
+                                                     << " on " << hwy::TargetName(target);
+                task.warp = 0.4f;
+                task.v_per_u = 0.7f;  // askew: rows of cells come and go along the run
+                EXPECT_EQ(differing_texels(task), 0) << kProceduralKinds[kind].id << " askew at "
+                                                     << size << " on " << hwy::TargetName(target);
+            }
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST(Procedurals, PlacesThatAProjectionScattersAreLookedUpOneByOne) {
+    float u[kTileTexels], v[kTileTexels];
+    ProceduralTask task = run_of(ProceduralKind::Cells, 1024);
+    for (int i = 0; i < kTileTexels; ++i) {
+        u[i] = formulae::unit_from_hash(formulae::lattice_hash(i, 0, 1u));
+        v[i] = formulae::unit_from_hash(formulae::lattice_hash(i, 1, 1u));
+    }
+    alignas(64) float scattered[kTileTexels];
+    float* const planes[3] = {scattered, nullptr, nullptr};
+    task.u = u;
+    task.v = v;
+    run_procedural(task, planes);
+    for (int i = 0; i < task.count; ++i) ASSERT_EQ(scattered[i], expected(task, u[i], v[i]));
+}
+
+}  // namespace
+}  // namespace patina
