@@ -2,6 +2,8 @@
 #include "composite/around.h"
 
 #include <algorithm>
+#include <cassert>
+#include <climits>
 #include <cmath>
 #include <cstring>
 
@@ -16,14 +18,16 @@ namespace {
 
 /// Kernels read and write whole runs of lanes, four at a time.
 constexpr std::size_t kPadding = 64;
-constexpr int kRowsPerTask = 16;
+constexpr int kRowsPerTask = 8;
+/// Of a strip: some tasks for each thread.
+constexpr int kLeastStripRows = 128;
 
 int wrapped(int index, int size) {
     const int rest = index % size;
     return rest < 0 ? rest + size : rest;
 }
 
-/// Texels from `begin` on in one direction, past the border where there are as many.
+/// Columns from `begin` on, past the border where there are as many.
 struct Range {
     int begin = 0;
     int length = 0;
@@ -62,6 +66,20 @@ std::vector<float> blur_weights(float radius, int reach) {
     return weights;
 }
 
+/// Of the channels of a layer: see AroundPlanes::blurred_planes_of.
+int plane_count(const AroundRecord& record, ChannelBits channels) {
+    int planes = 0;
+    for (const ChannelInfo& entry : kChannels)
+        if ((channels & channel_bit(entry.channel)) != 0)
+            planes += component_count(entry.channel) + (record.depth > 0) + record.relief;
+    return planes;
+}
+
+std::size_t bytes_of_rows(const AroundRecord& record, ChannelBits channels, int rows, int size) {
+    return static_cast<std::size_t>(plane_count(record, channels)) *
+           static_cast<std::size_t>(rows) * static_cast<std::size_t>(size) * sizeof(float);
+}
+
 /// Fills the planes of one layer: first with what lies below it, then, for a blur, with the sums
 /// along each row.
 class Preparation {
@@ -72,7 +90,6 @@ class Preparation {
         : job_(job), planes_(planes) {
         const int size = job.size;
         columns_ = grown(job.rect.x0, job.rect.x1, halo, size);
-        rows_ = grown(job.rect.y0, job.rect.y1, halo + planes.reach(), size);
         read_columns_ = grown(job.rect.x0, job.rect.x1, halo + planes.reach(), size);
         run_ = {.program = job.program,
                 .images = job.images,
@@ -83,19 +100,20 @@ class Preparation {
             if (point.read && point.place.end <= run_.stop) run_.caches.push_back(point);
     }
 
-    void run(const Progress& progress) {
-        parallel_for(0, rows_.length, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
-            if (progress.cancelled()) return;
-            TilePlanes tile(job_.program->depths);
-            std::vector<float> line(static_cast<std::size_t>(job_.size + 2 * planes_.reach()) +
-                                    kPadding);
-            std::vector<float> sums(static_cast<std::size_t>(job_.size) + kPadding);
-            for (auto i = static_cast<int>(first); i < static_cast<int>(last); ++i) {
-                const int y = wrapped(rows_.begin + i, job_.size);
-                composite_row(y, tile);
-                if (blurs(planes_.adjustment())) blur_row(y, line, sums);
-            }
-        });
+    void run(RowRange rows, const Progress& progress) {
+        parallel_for(
+            rows.begin, rows.end, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+                if (progress.cancelled()) return;
+                TilePlanes tile(job_.program->depths);
+                std::vector<float> line(static_cast<std::size_t>(job_.size + 2 * planes_.reach()) +
+                                        kPadding);
+                std::vector<float> sums(static_cast<std::size_t>(job_.size) + kPadding);
+                for (auto i = static_cast<int>(first); i < static_cast<int>(last); ++i) {
+                    const int y = wrapped(i, job_.size);
+                    composite_row(y, tile);
+                    if (blurs(planes_.adjustment())) blur_row(y, line, sums);
+                }
+            });
     }
 
   private:
@@ -165,7 +183,6 @@ class Preparation {
     AroundPlanes& planes_;
     TileRun run_;
     Range columns_;
-    Range rows_;
     Range read_columns_;
 };
 
@@ -194,66 +211,161 @@ int reach_of(const ProgramData& program, int size) {
 }
 
 AroundPlanes::AroundPlanes(const AroundRecord& record, const AdjustmentSettings& adjustment,
-                           ChannelBits channels, int size)
+                           ChannelBits channels, int size, int capacity)
     : record_(record),
       adjustment_(adjustment),
       channels_(channels),
       size_(size),
-      reach_(std::min(reach_of(adjustment, size), size)) {
+      reach_(std::min(reach_of(adjustment, size), size)),
+      capacity_(std::min(capacity, size)) {
     if (blurs(adjustment))
         weights_ = blur_weights(texels(adjustment.radius_permille, size), reach_);
-    int planes = 0;
-    for (const ChannelInfo& entry : kChannels)
-        if ((channels & channel_bit(entry.channel)) != 0) planes += planes_of(entry.channel);
-    memory_.resize(row_start(planes, 0) + kPadding);
+    memory_.resize(bytes_of_rows(record, channels, capacity_, size) / sizeof(float) + kPadding);
 }
 
 int AroundPlanes::first_plane(Channel channel) const {
-    int first = 0;
-    for (const ChannelInfo& entry : kChannels) {
-        if (entry.channel == channel) break;
-        if ((channels_ & channel_bit(entry.channel)) != 0) first += planes_of(entry.channel);
-    }
-    return first;
+    const auto before = static_cast<ChannelBits>(channel_bit(channel) - 1);
+    return plane_count(record_, static_cast<ChannelBits>(channels_ & before));
 }
 
-AroundList prepared_around(const AroundJob& job, const Progress& progress) {
+RowRange AroundPlanes::keep_rows(RowRange rows) {
+    const bool all = capacity_ == size_;
+    if (all) rows = {0, size_};
+    assert(rows.length() <= capacity_ && (kept_.length() == 0 || rows.begin >= kept_.begin));
+    const RowRange fresh = {kept_.length() == 0 ? rows.begin : std::max(rows.begin, kept_.end),
+                            rows.end};
+    kept_ = rows;
+    return fresh;
+}
+
+/// Rows lie in a ring: each where the one lay that left as it came.
+std::size_t AroundPlanes::row_start(int plane, int y) const {
+    const int row = kept_.begin + wrapped(y - kept_.begin, size_);
+    return (static_cast<std::size_t>(plane) * static_cast<std::size_t>(capacity_) +
+            static_cast<std::size_t>(wrapped(row, capacity_))) *
+           static_cast<std::size_t>(size_);
+}
+
+/// The rows of one layer, how many of them lie beyond a strip on either side, and what fills them.
+struct AroundPass::Step {
+    AroundPlanes& planes;
+    int rows_beyond;
+    Preparation preparation;
+};
+
+namespace {
+
+/// For each layer that looks around how far beyond the texels asked for its result is read: by the
+/// relief of the heights, which looks one texel around, and by the layers further up that look
+/// around themselves.
+std::vector<int> halos_of(const ProgramData& program, int size) {
+    std::vector<int> halos(program.around.size(), 1);
+    for (std::size_t i = halos.size(); i-- > 0;)
+        for (std::size_t above = i + 1; above < halos.size(); ++above) {
+            const AroundRecord& record = program.around[above];
+            if (program.around[i].begin >= record.begin) continue;
+            const int reach =
+                reach_of(program.adjustments[static_cast<std::size_t>(record.adjustment)], size);
+            halos[i] = std::max(halos[i], halos[above] + reach);
+        }
+    return halos;
+}
+
+/// A layer that looks around and is wanted.
+struct Reader {
+    std::size_t around = 0;           ///< index into ProgramData::around
+    ChannelBits channels = 0;         ///< that are kept
+    ChannelBits wanted_of_stack = 0;  ///< by which the run is to go
+    int halo = 0;                     ///< how far beyond what is asked for its result is read
+    int reach = 0;                    ///< and how far beyond that it reads
+    int beyond() const { return halo + reach; }
+};
+
+std::vector<Reader> readers_of(const AroundJob& job) {
     const ProgramData& program = *job.program;
-    AroundList list(program.around.size());
     const ChannelBits wanted = program.with_needed(job.wanted);
-    // The relief of the heights looks one texel around as well.
-    int halo = 1 + reach_of(program, job.size);
-    for (std::size_t i = 0; i < list.size() && !progress.cancelled(); ++i) {
+    const std::vector<int> halos = halos_of(program, job.size);
+    std::vector<Reader> readers;
+    for (std::size_t i = 0; i < program.around.size(); ++i) {
         const AroundRecord& record = program.around[i];
-        const AdjustmentSettings& adjustment =
-            program.adjustments[static_cast<std::size_t>(record.adjustment)];
-        halo -= reach_of(adjustment, job.size);
         const bool referred = record.referring != 0;
-        const ChannelBits of_stack = (referred ? record.referring : record.channels) & wanted;
+        const auto of_stack =
+            static_cast<ChannelBits>((referred ? record.referring : record.channels) & wanted);
         if (of_stack == 0 || is_skipped(record, job.caches)) continue;
-        const ChannelBits channels = referred ? record.channels : of_stack;
-        auto planes = std::make_shared<AroundPlanes>(record, adjustment, channels, job.size);
-        Preparation(job, list, *planes, halo, of_stack).run(progress);
-        list[i] = std::move(planes);
+        readers.push_back(
+            {.around = i,
+             .channels = referred ? record.channels : of_stack,
+             .wanted_of_stack = of_stack,
+             .halo = halos[i],
+             .reach = reach_of(program.adjustments[static_cast<std::size_t>(record.adjustment)],
+                               job.size)});
     }
-    return list;
+    return readers;
+}
+
+int rows_of_strip(const AroundJob& job, const std::vector<Reader>& readers) {
+    const int rows = job.rect.y1 - job.rect.y0;
+    std::size_t row_bytes = 0, beyond_bytes = 0;
+    for (const Reader& reader : readers) {
+        const AroundRecord& record = job.program->around[reader.around];
+        row_bytes += bytes_of_rows(record, reader.channels, 1, job.size);
+        beyond_bytes += bytes_of_rows(record, reader.channels, 2 * reader.beyond(), job.size);
+    }
+    if (row_bytes == 0) return rows;
+    const std::size_t left = job.budget_bytes - std::min(beyond_bytes, job.budget_bytes);
+    const auto fitting = static_cast<int>(std::min<std::size_t>(left / row_bytes, INT_MAX));
+    return std::clamp(fitting, std::min(kLeastStripRows, rows), rows);
+}
+
+}  // namespace
+
+AroundPass::AroundPass(AroundJob job) : job_(std::move(job)), list_(job_.program->around.size()) {
+    const ProgramData& program = *job_.program;
+    const std::vector<Reader> readers = readers_of(job_);
+    strip_rows_ = rows_of_strip(job_, readers);
+    for (const Reader& reader : readers) {
+        const AroundRecord& record = program.around[reader.around];
+        auto planes = std::make_shared<AroundPlanes>(
+            record, program.adjustments[static_cast<std::size_t>(record.adjustment)],
+            reader.channels, job_.size, strip_rows_ + 2 * reader.beyond());
+        steps_.push_back({*planes, reader.beyond(),
+                          Preparation(job_, list_, *planes, reader.halo, reader.wanted_of_stack)});
+        list_[reader.around] = std::move(planes);
+    }
+}
+
+AroundPass::~AroundPass() = default;
+
+void AroundPass::move_to(int y0, int y1, const Progress& progress) {
+    assert(y1 - y0 <= strip_rows_);
+    for (Step& step : steps_) {
+        if (progress.cancelled()) return;
+        const RowRange rows = {y0 - step.rows_beyond, y1 + step.rows_beyond};
+        step.preparation.run(step.planes.keep_rows(rows), progress);
+    }
+}
+
+std::size_t AroundPass::size_bytes() const {
+    std::size_t bytes = 0;
+    for (const Step& step : steps_) bytes += step.planes.size_bytes();
+    return bytes;
 }
 
 namespace {
 
-/// The rows of a component around a tile, each from its first texel on.
-std::vector<const float*> lines_around(const AroundTask& task, int component) {
+/// The rows of a component that the reach of a tile's own covers, each from column 0 on.
+std::vector<const float*> rows_around(const AroundTask& task, int component) {
     const AroundPlanes& planes = *task.planes;
-    std::vector<const float*> lines;
+    std::vector<const float*> rows;
     for (int j = -planes.reach(); j <= planes.reach(); ++j)
-        lines.push_back(
-            planes.row(task.channel, component, wrapped(task.span.y + j, planes.size())) +
-            task.span.x);
-    return lines;
+        rows.push_back(
+            planes.row(task.channel, component, wrapped(task.span.y + j, planes.size())));
+    return rows;
 }
 
 void blur_component(const AroundTask& task, int component, float* to) {
-    const std::vector<const float*> lines = lines_around(task, component);
+    std::vector<const float*> lines = rows_around(task, component);
+    for (const float*& line : lines) line += task.span.x;
     blur_tile({.weights = task.planes->weights().data(),
                .reach = task.planes->reach(),
                .lines = lines.data(),
@@ -280,15 +392,16 @@ class WarpedReader {
 
     void read(int component, float* to) const {
         const int size = task_.span.size;
+        const std::vector<const float*> rows = rows_around(task_, component);
         for (int i = 0; i < task_.span.count; ++i) {
             const float whole_x = std::floor(right_[i]), whole_y = std::floor(down_[i]);
             const float part_x = right_[i] - whole_x, part_y = down_[i] - whole_y;
             const int x0 = wrapped(task_.span.x + i + static_cast<int>(whole_x), size);
-            const int y0 = wrapped(task_.span.y + static_cast<int>(whole_y), size);
             const int x1 = x0 + 1 == size ? 0 : x0 + 1;
-            const int y1 = y0 + 1 == size ? 0 : y0 + 1;
-            const float* const above = task_.planes->row(task_.channel, component, y0);
-            const float* const below = task_.planes->row(task_.channel, component, y1);
+            const auto row =
+                static_cast<std::size_t>(task_.planes->reach() + static_cast<int>(whole_y));
+            const float* const above = rows[row];
+            const float* const below = rows[row + 1];
             to[i] = formulae::mix(formulae::mix(above[x0], above[x1], part_x),
                                   formulae::mix(below[x0], below[x1], part_x), part_y);
         }

@@ -21,8 +21,7 @@ int wrapped(int index, int size) {
 /// Composites rows of a rectangle, one after the other.
 class RowCompositor {
   public:
-    RowCompositor(const CompositeJob& job, const AroundList& around, ChannelBits wanted,
-                  bool relief);
+    RowCompositor(const TilesJob& job, const AroundList& around, const TileSink& sink);
     void composite_row(int y);
 
   private:
@@ -32,12 +31,12 @@ class RowCompositor {
     void composite_heights(int y, std::vector<float>& row);
     float height_at(int x, int y);
     void add_relief(const TileSpan& span);
-    void write(BakedMap map, const TileSpan& span);
     std::vector<float>& height_row(int y) {
         return heights_[static_cast<std::size_t>(wrapped(y, 3))];
     }
 
-    const CompositeJob& job_;
+    const TilesJob& job_;
+    const TileSink& sink_;
     TileRun run_;
     TileRun height_run_;
     TilePlanes planes_;
@@ -47,12 +46,18 @@ class RowCompositor {
     int next_height_row_;
 };
 
-RowCompositor::RowCompositor(const CompositeJob& job, const AroundList& around, ChannelBits wanted,
-                             bool relief)
+/// Whether heights bend the normals that are wanted.
+bool has_relief(const TilesJob& job) {
+    return (job.wanted & channel_bit(Channel::Normal)) != 0 &&
+           (job.program->touched & channel_bit(Channel::Height)) != 0;
+}
+
+RowCompositor::RowCompositor(const TilesJob& job, const AroundList& around, const TileSink& sink)
     : job_(job),
+      sink_(sink),
       run_{.program = job.program,
            .images = job.images,
-           .wanted = wanted,
+           .wanted = job.program->with_needed(job.wanted),
            .caches = job.caches,
            .around = &around},
       height_run_{.program = job.program,
@@ -60,11 +65,11 @@ RowCompositor::RowCompositor(const CompositeJob& job, const AroundList& around, 
                   .wanted = channel_bit(Channel::Height),
                   .around = &around},
       planes_(job.program->depths),
-      relief_(relief),
+      relief_(has_relief(job)),
       next_height_row_(-2) {
     for (const CachePoint& point : job.caches)
         if (point.read) height_run_.caches.push_back(point);
-    if (!relief) return;
+    if (!relief_) return;
     const auto width = static_cast<std::size_t>(job.rect.x1 - job.rect.x0);
     for (std::vector<float>& row : heights_) row.resize(width + 2 + kMaxLanes);
 }
@@ -114,17 +119,27 @@ void RowCompositor::add_relief(const TileSpan& span) {
                     planes_.channel(0, Channel::Normal, 2)}});
 }
 
-void RowCompositor::write(BakedMap map, const TileSpan& span) {
-    std::byte* const target = job_.targets[static_cast<std::size_t>(map)];
+void RowCompositor::composite_row(int y) {
+    if (relief_) ensure_heights(y);
+    for_each_span(y, [&](const TileSpan& span) {
+        run_tile(run_, span, planes_);
+        if (relief_) add_relief(span);
+        sink_(span, planes_);
+    });
+}
+
+/// Writes a tile into a map.
+void write(const CompositeJob& job, BakedMap map, const TileSpan& span, TilePlanes& planes) {
+    std::byte* const target = job.targets[static_cast<std::size_t>(map)];
     if (target == nullptr) return;
     const std::size_t texel =
-        static_cast<std::size_t>(span.y) * static_cast<std::size_t>(job_.size) +
+        static_cast<std::size_t>(span.y) * static_cast<std::size_t>(job.size) +
         static_cast<std::size_t>(span.x);
     const auto plane = [&](Channel channel, int component = 0) {
-        return ReadPlane{.data = planes_.channel(0, channel, component)};
+        return ReadPlane{.data = planes.channel(0, channel, component)};
     };
     const auto color_encoding = [&](Channel channel) {
-        const bool encoded = (job_.program->top_encoded & channel_bit(channel)) != 0;
+        const bool encoded = (job.program->top_encoded & channel_bit(channel)) != 0;
         return encoded ? OutputEncoding::AsIs : OutputEncoding::LinearColor;
     };
     OutputTask task{.components = {{}, {}, {}, uniform_one()},
@@ -156,15 +171,6 @@ void RowCompositor::write(BakedMap map, const TileSpan& span) {
     write_tile(task);
 }
 
-void RowCompositor::composite_row(int y) {
-    if (relief_) ensure_heights(y);
-    for_each_span(y, [&](const TileSpan& span) {
-        run_tile(run_, span, planes_);
-        if (relief_) add_relief(span);
-        for (int map = 0; map < kBakedMapCount; ++map) write(static_cast<BakedMap>(map), span);
-    });
-}
-
 ChannelBits channels_of_targets(const CompositeJob& job) {
     ChannelBits wanted = 0;
     for (int map = 0; map < kBakedMapCount; ++map)
@@ -190,33 +196,51 @@ ChannelBits channels_of(BakedMap map) {
     return 0;
 }
 
+bool composite_tiles(const TilesJob& job, const TileSink& sink, const Progress& progress) {
+    const ChannelBits heights = has_relief(job) ? channel_bit(Channel::Height) : ChannelBits{0};
+    AroundPass around(
+        {.program = job.program,
+         .images = job.images,
+         .caches = job.caches,
+         .wanted = static_cast<ChannelBits>(job.program->with_needed(job.wanted) | heights),
+         .size = job.size,
+         .rect = job.rect,
+         .budget_bytes = job.around_bytes});
+    const int rows = job.rect.y1 - job.rect.y0;
+    std::atomic<int> rows_done = 0;
+    for (int top = job.rect.y0; top < job.rect.y1; top += around.strip_rows()) {
+        const int bottom = std::min(top + around.strip_rows(), job.rect.y1);
+        around.move_to(top, bottom, progress);
+        parallel_for(top, bottom, kRowsPerTask, [&](std::int64_t y0, std::int64_t y1) {
+            if (progress.cancelled()) return;
+            RowCompositor compositor(job, around.list(), sink);
+            for (int y = static_cast<int>(y0); y < y1; ++y) compositor.composite_row(y);
+            rows_done += static_cast<int>(y1 - y0);
+            progress.report(static_cast<float>(rows_done) / static_cast<float>(rows));
+        });
+    }
+    return !progress.cancelled();
+}
+
 bool composite_rect(const CompositeJob& job, const Progress& progress) {
     ChannelBits wanted = channels_of_targets(job);
-    const bool relief = (wanted & job.program->touched & channel_bit(Channel::Height)) != 0;
     // Heights come from their own pass, with a halo; the planes are asked for where a cache is to
     // be filled.
     const bool stores = std::any_of(job.caches.begin(), job.caches.end(),
                                     [](const CachePoint& point) { return !point.read; });
     if (!stores) wanted &= static_cast<ChannelBits>(~channel_bit(Channel::Height));
-    wanted = job.program->with_needed(wanted);
-    const ChannelBits heights = relief ? channel_bit(Channel::Height) : ChannelBits{0};
-    const AroundList around = prepared_around({.program = job.program,
-                                               .images = job.images,
-                                               .caches = job.caches,
-                                               .wanted = static_cast<ChannelBits>(wanted | heights),
-                                               .size = job.size,
-                                               .rect = job.rect},
-                                              progress);
-    const int rows = job.rect.y1 - job.rect.y0;
-    std::atomic<int> rows_done = 0;
-    parallel_for(job.rect.y0, job.rect.y1, kRowsPerTask, [&](std::int64_t y0, std::int64_t y1) {
-        if (progress.cancelled()) return;
-        RowCompositor compositor(job, around, wanted, relief);
-        for (int y = static_cast<int>(y0); y < y1; ++y) compositor.composite_row(y);
-        rows_done += static_cast<int>(y1 - y0);
-        progress.report(static_cast<float>(rows_done) / static_cast<float>(rows));
-    });
-    return !progress.cancelled();
+    return composite_tiles(
+        {.program = job.program,
+         .images = job.images,
+         .caches = job.caches,
+         .wanted = wanted,
+         .size = job.size,
+         .rect = job.rect},
+        [&](const TileSpan& span, TilePlanes& planes) {
+            for (int map = 0; map < kBakedMapCount; ++map)
+                write(job, static_cast<BakedMap>(map), span, planes);
+        },
+        progress);
 }
 
 }  // namespace patina

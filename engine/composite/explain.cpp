@@ -43,12 +43,12 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material,
     if (!bound.failures.empty()) return failure("{}", bound.failures.front());
 
     std::vector<ExplainStep> steps;
-    const AroundList around = prepared_around({.program = &program,
-                                               .images = &bound,
-                                               .wanted = channel_bit(channel),
-                                               .size = size,
-                                               .rect = {x, y, x + 1, y + 1}},
-                                              {});
+    AroundPass around({.program = &program,
+                       .images = &bound,
+                       .wanted = channel_bit(channel),
+                       .size = size,
+                       .rect = {x, y, x + 1, y + 1}});
+    around.move_to(y, y + 1, {});
     TilePlanes planes(program.depths);
     const TileRun run{.program = &program,
                       .images = &bound,
@@ -61,7 +61,7 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material,
                               steps.back().weight = weight;
                               steps.back().mask = mask;
                           },
-                      .around = &around};
+                      .around = &around.list()};
     run_tile(run, {.x = x, .y = y, .count = 1, .size = size}, planes);
     return steps;
 }

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "composite/bake_channels.h"
+#include "composite/composite_rect.h"
 #include "composite/image_table.h"
 #include "core/formulae/formulae.h"
 
@@ -295,6 +296,87 @@ TEST(Around, AnEditOfAPartChangesWhatTheBlurAndTheWarpAboveReach) {
     EXPECT_LT(update->changed.x1 - update->changed.x0, kSize);
     const MapSet cold = bake_maps(new_program, images, kSize, {BakedMap::BaseColor}).value();
     EXPECT_EQ(*live.maps()[BakedMap::BaseColor], *cold[BakedMap::BaseColor]);
+}
+
+/// Heights that a relief, a blur of a group and a warp read, each above the other, in three
+/// channels.
+Material looking_around_thrice(ImageTable& images, int size) {
+    Image spots{.width = size, .height = size, .channels = 4};
+    spots.data.resize(spots.row_bytes() * static_cast<std::size_t>(size));
+    std::mt19937 random(11);
+    for (std::byte& sample : spots.data) sample = static_cast<std::byte>(random() % 256);
+    const Source image = ImageSource{.image = images.add(spots), .alpha_is_coverage = true};
+    Layer bumps = filled(Channel::Height, ProceduralSource{.scale = 9.0f});
+    Layer hollows = filled(Channel::Roughness, ConstantSource{glm::vec3(1.0f)});
+    at(hollows.channels, Channel::Height) = {.enabled = true,
+                                             .source = ConstantSource{glm::vec3(0.2f)}};
+    hollows.mask.entries = {
+        {.id = {9}, .source = ReliefSource{.kind = ReliefKind::Edge, .radius_permille = 40.0f}}};
+    Layer group{.id = {3}};
+    for (const Channel channel : {Channel::BaseColor, Channel::Height, Channel::Roughness})
+        at(group.channels, channel).enabled = true;
+    Layer fill = filled(Channel::BaseColor, image);
+    at(fill.channels, Channel::Height) = {.enabled = true, .source = image};
+    Layer blur = adjusting(blur_of(1.5), Channel::BaseColor);
+    at(blur.channels, Channel::Height).enabled = true;
+    group.content = GroupContent{.children = {shared(fill), shared(blur)}};
+    AdjustmentSettings bend;
+    bend.kind = AdjustmentKind::Warp;
+    bend.distance_permille = 60.0f;
+    Layer warp = adjusting(bend, Channel::BaseColor);
+    at(warp.channels, Channel::Height).enabled = true;
+    Material material =
+        stack_of({shared(bumps), shared(hollows), shared(group), shared(warp), shared(hollows)});
+    material.height_scale = 0.05f;
+    return material;
+}
+
+TEST(Around, StripByStripTheMapIsTheSameAsWhenAllIsKept) {
+    constexpr int kSide = 401;  // more than three strips of the fewest rows
+    ImageTable images;
+    const Program program = Program::compile(looking_around_thrice(images, kSide));
+    const BoundImages bound = images_for_bake(program.data(), kAllChannels, kSide, images).value();
+    const auto composited = [&](std::size_t around_bytes) {
+        std::vector<float> texels(static_cast<std::size_t>(kSide) * kSide * 8);
+        const auto keep = [&](const TileSpan& span, TilePlanes& planes) {
+            for (int i = 0; i < span.count; ++i) {
+                float* const texel =
+                    &texels[static_cast<std::size_t>(span.y * kSide + span.x + i) * 8];
+                for (int k = 0; k < 3; ++k) {
+                    texel[k] = planes.channel(0, Channel::BaseColor, k)[i];
+                    texel[3 + k] = planes.channel(0, Channel::Normal, k)[i];
+                }
+                texel[6] = planes.channel(0, Channel::Height)[i];
+                texel[7] = planes.channel(0, Channel::Roughness)[i];
+            }
+        };
+        EXPECT_TRUE(composite_tiles({.program = &program.data(),
+                                     .images = &bound,
+                                     .wanted = kAllChannels,
+                                     .size = kSide,
+                                     .rect = {0, 0, kSide, kSide},
+                                     .around_bytes = around_bytes},
+                                    keep, {}));
+        return texels;
+    };
+    EXPECT_EQ(composited(0), composited(std::size_t{1} << 30));
+}
+
+TEST(Around, WhatIsKeptOfALargeMapIsBoundedAndNotAPlane) {
+    constexpr int kSide = 4096;
+    Layer bumps = filled(Channel::Height, ProceduralSource{});
+    Layer hollows = filled(Channel::Roughness, ConstantSource{glm::vec3(1.0f)});
+    hollows.mask.entries = {{.id = {9}, .source = ReliefSource{.radius_permille = 50.0f}}};
+    Layer ridges = hollows;
+    ridges.mask.entries[0].source = ReliefSource{.kind = ReliefKind::Edge, .radius_permille = 5.0f};
+    const Program program =
+        Program::compile(stack_of({shared(bumps), shared(hollows), shared(ridges)}));
+    const BoundImages none;
+    const AroundPass pass(
+        {.program = &program.data(), .images = &none, .size = kSide, .rect = {0, 0, kSide, kSide}});
+    EXPECT_GT(pass.size_bytes(), 0u);
+    EXPECT_LE(pass.size_bytes(), std::size_t{48} << 20);
+    EXPECT_LT(pass.strip_rows(), kSide);
 }
 
 TEST(Around, WhatIsTheSameEverywhereStaysAFactor) {
