@@ -5,15 +5,18 @@
 /// ratios that are promised. One thread each; CPU time.
 
 #include <benchmark/benchmark.h>
+#include <hwy/targets.h>
 
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
 
 #include "composite/composite.h"
 #include "core/parallel.h"
+#include "document/choices.h"
 #include "stack10.h"
 
 namespace patina::bench {
@@ -123,6 +126,10 @@ int greatest_error(const Stack10& stack, int stride) {
     return worst;
 }
 
+void set_channel(Layer& layer, Channel channel, Source source) {
+    at(layer.channels, channel) = {.enabled = true, .source = std::move(source)};
+}
+
 std::string named(const char* name, int size) {
     return name + std::to_string(size);
 }
@@ -197,20 +204,63 @@ void register_stack10(int size) {
         ->Iterations(1);
 }
 
-/// One procedural at the size of a map: what a texel of it costs.
-void procedural(benchmark::State& state, ProceduralKind kind, int octaves) {
+/// One procedural with its standard numbers as a map: of a million texels, so that a millisecond is
+/// a nanosecond a texel. 30 are the most that any may take with AVX2.
+void procedural(benchmark::State& state, ProceduralKind kind) {
     const ThreadLimit one_thread(1);
     Material material;
     Layer layer{.id = {1}, .name = "Noise"};
-    at(layer.channels, Channel::Roughness) = {
-        .enabled = true, .source = ProceduralSource{.kind = kind, .octaves = octaves}};
+    set_channel(layer, Channel::Roughness, ProceduralSource{.kind = kind});
     material.stack = {std::make_shared<const Layer>(std::move(layer))};
     const Program program = Program::compile(material);
-    constexpr int kSize = 1024;
+    constexpr int kSize = 1000;
+    hwy::SetSupportedTargetsForTest(HWY_AVX2);
     for (auto _ : state)
         benchmark::DoNotOptimize(
             bake_maps(program, stack10_images(), kSize, {BakedMap::OcclusionRoughnessMetalness}));
+    hwy::SetSupportedTargetsForTest(0);
     per_texel(state, std::size_t{kSize} * kSize);
+}
+
+/// The greatest memory of the process since it was last asked to start anew.
+double peak_mib() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (double kib = 0; word == "VmHWM:" && status >> kib) return kib / 1024.0;
+    return 0.0;
+}
+
+/// A layer whose mask is what the heights below are like, as far as sources reach.
+LayerPtr relief_layer(std::uint64_t id, ReliefKind kind, float radius_permille) {
+    Layer layer{.id = {id}, .name = "Relief"};
+    layer.mask.entries = {
+        {.id = {id + 100},
+         .source = ReliefSource{.kind = kind, .radius_permille = radius_permille}}};
+    set_channel(layer, Channel::BaseColor, ConstantSource{glm::vec3(0.3f)});
+    set_channel(layer, Channel::Height, ConstantSource{glm::vec3(0.1f)});
+    return std::make_shared<const Layer>(std::move(layer));
+}
+
+/// What a bake takes beside the maps that it makes, where layers go by the relief below them.
+void peak_memory(benchmark::State& state, int size) {
+    Layer bumps{.id = {1}, .name = "Bumps"};
+    set_channel(bumps, Channel::Height, ProceduralSource{});
+    Material material;
+    material.height_scale = 0.01f;
+    material.stack = {std::make_shared<const Layer>(std::move(bumps)),
+                      relief_layer(2, ReliefKind::Cavity, 50.0f),
+                      relief_layer(3, ReliefKind::Edge, 5.0f)};
+    const Program program = Program::compile(material);
+    const std::vector<BakedMap> maps = maps_of(program);
+    const double maps_mib = static_cast<double>(maps.size()) * size * size * 4.0 / 1048576.0;
+    double most = 0.0;
+    for (auto _ : state) {
+        std::ofstream("/proc/self/clear_refs") << "5";
+        const double before = peak_mib();
+        benchmark::DoNotOptimize(bake_maps(program, stack10_images(), size, maps));
+        most = std::max(most, peak_mib() - before - maps_mib);
+    }
+    std::printf("bake-relief/%d takes %.1f MiB beside its maps, target at most 64\n", size, most);
 }
 
 const bool kRegistered = [] {
@@ -232,14 +282,15 @@ const bool kRegistered = [] {
     add_drag("edit/layer9of10/2048", 9, 2048, {0, 0, 2048, 2048});
     add_drag("edit/tile256/2048", 5, 2048, {512, 768, 768, 1024});
     add_drag("preview/1024of2048", 5, 1024, {0, 0, 1024, 1024});
-    for (const int octaves : {1, 4})
-        for (const auto& [name, kind] : {std::pair{"value", ProceduralKind::ValueNoise},
-                                         std::pair{"perlin", ProceduralKind::PerlinNoise},
-                                         std::pair{"worley", ProceduralKind::WorleyNoise}})
+    benchmark::RegisterBenchmark("bake-relief/4096", [](benchmark::State& state) {
+        peak_memory(state, 4096);
+    })->Unit(benchmark::kMillisecond);
+    if ((hwy::SupportedTargets() & HWY_AVX2) != 0)
+        for (std::size_t kind = 0; kind < kProceduralKinds.size(); ++kind)
             benchmark::RegisterBenchmark(
-                named((std::string("procedural/") + name + "/octaves").c_str(), octaves).c_str(),
-                [kind = kind, octaves](benchmark::State& state) {
-                    procedural(state, kind, octaves);
+                ("procedural/" + std::string(kProceduralKinds[kind].id) + "/AVX2").c_str(),
+                [kind](benchmark::State& state) {
+                    procedural(state, static_cast<ProceduralKind>(kind));
                 })
                 ->Unit(benchmark::kMillisecond);
     return true;
