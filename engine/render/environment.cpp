@@ -195,45 +195,80 @@ HalfCube filter_diffuse(const std::vector<TexelLight>& lights, int face_size,
     return cube;
 }
 
-/// Half the angle of the cone around the brightest direction that becomes the key light.
+/// Half the angle of the cone around a bright direction that becomes a light, and the least angle
+/// between two: twice that.
 constexpr float kKeyConeCosine = 0.9f;  // 26 degrees
+constexpr float kBetweenKeysCosine = 0.62f;
+/// A weaker one than this share of the first is left in the ambient light.
+constexpr float kLeastKeyShare = 0.1f;
 
-/// Splits the map into its strongest directional light and what is left, spread evenly.
-void split_for_traditional_models(const std::vector<TexelLight>& lights,
-                                  FilteredEnvironment& environment) {
-    const auto strength_around = [&](const glm::vec3& axis) {
-        float sum = 0.0f;
-        for (const TexelLight& light : lights)
-            if (glm::dot(light.direction, axis) > kKeyConeCosine) sum += luminance_of(light.power);
-        return sum;
-    };
+glm::vec3 total_power(const std::vector<TexelLight>& lights) {
     glm::vec3 total(0.0f);
+    for (const TexelLight& light : lights) total += light.power;
+    return total;
+}
+
+bool is_apart(const glm::vec3& towards, const std::vector<EnvironmentKey>& keys) {
+    return std::none_of(keys.begin(), keys.end(), [&](const EnvironmentKey& key) {
+        return glm::dot(-key.direction_world, towards) > kBetweenKeysCosine;
+    });
+}
+
+/// The middle of the cone with the most light, of those that are apart from `keys`.
+glm::vec3 brightest_cone(const std::vector<TexelLight>& lights,
+                         const std::vector<EnvironmentKey>& keys) {
     glm::vec3 axis(0.0f, 1.0f, 0.0f);
     float strongest = -1.0f;
-    for (const TexelLight& light : lights) {
-        total += light.power;
-        const float strength = strength_around(light.direction);
+    for (const TexelLight& middle : lights) {
+        if (!is_apart(middle.direction, keys)) continue;
+        float strength = 0.0f;
+        for (const TexelLight& light : lights)
+            if (glm::dot(light.direction, middle.direction) > kKeyConeCosine)
+                strength += luminance_of(light.power);
         if (strength > strongest) {
             strongest = strength;
-            axis = light.direction;
+            axis = middle.direction;
         }
     }
-    const glm::vec3 mean = total / (4.0f * glm::pi<float>());
-    glm::vec3 key(0.0f);
-    glm::vec3 direction(0.0f);
+    return axis;
+}
+
+/// What stands out of the mean radiance around an axis, as one light.
+EnvironmentKey key_around(const glm::vec3& axis, const std::vector<TexelLight>& lights,
+                          const glm::vec3& mean) {
+    glm::vec3 power(0.0f);
+    glm::vec3 towards(0.0f);
     float cone_angle = 0.0f;
     for (const TexelLight& light : lights) {
         if (glm::dot(light.direction, axis) <= kKeyConeCosine) continue;
-        key += light.power;
-        direction += luminance_of(light.power) * light.direction;
+        power += light.power;
+        towards += luminance_of(light.power) * light.direction;
         cone_angle += light.solid_angle;
     }
-    // Only what stands out of the mean is a light of its own.
-    key = glm::max(key - mean * cone_angle, glm::vec3(0.0f));
-    environment.ambient_linear = (total - key) / (4.0f * glm::pi<float>());
-    environment.key_irradiance_linear = key;
-    environment.key_direction_world =
-        glm::length(direction) > 0.0f ? -glm::normalize(direction) : glm::vec3(0.0f, -1.0f, 0.0f);
+    EnvironmentKey key;
+    key.irradiance_linear = glm::max(power - mean * cone_angle, glm::vec3(0.0f));
+    if (glm::length(towards) > 0.0f) key.direction_world = -glm::normalize(towards);
+    return key;
+}
+
+/// Splits the map into its strongest directional lights and what is left, spread evenly.
+void split_for_traditional_models(const std::vector<TexelLight>& lights,
+                                  FilteredEnvironment& environment) {
+    constexpr float kSphere = 4.0f * glm::pi<float>();
+    glm::vec3 rest = total_power(lights);
+    const glm::vec3 mean = rest / kSphere;
+    environment.keys.clear();
+    while (environment.keys.size() < kMostKeys) {
+        const EnvironmentKey key =
+            key_around(brightest_cone(lights, environment.keys), lights, mean);
+        const float strength = luminance_of(key.irradiance_linear);
+        if (!environment.keys.empty() &&
+            strength <= kLeastKeyShare * luminance_of(environment.keys[0].irradiance_linear))
+            break;
+        rest -= key.irradiance_linear;
+        environment.keys.push_back(key);
+    }
+    environment.ambient_linear = glm::max(rest, glm::vec3(0.0f)) / kSphere;
 }
 
 }  // namespace
@@ -280,6 +315,7 @@ Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQual
     environment.diffuse = filter_diffuse(
         texel_lights(reduced_to_width(std::move(parted.rest), settings.diffuse_map_width)),
         settings.diffuse_face, progress);
+    environment.sky = sky_shares(whole, environment.suns);
     constexpr int kKeySearchWidth = 32;
     split_for_traditional_models(texel_lights(reduced_to_width(whole, kKeySearchWidth)),
                                  environment);

@@ -21,6 +21,7 @@
 #include "core/result.h"
 #include "render/environment_sampler.h"
 #include "render/radiance_map.h"
+#include "render/sky_light.h"
 #include "scene/image.h"
 
 namespace patina::render {
@@ -39,6 +40,16 @@ struct EnvironmentSun {
     glm::vec3 towards_world = glm::vec3(0.0f, 1.0f, 0.0f);  ///< unit
     glm::vec3 irradiance_linear = glm::vec3(0.0f);          ///< on a surface that faces it
     float radius_radians = 0.0f;                            ///< of a disc as wide
+};
+
+/// A sun is no even disc: so far from its middle, in its radii, a map is taken to be of it.
+inline constexpr float kSunReach = 1.5f;
+
+/// A directional light that the traditional models have in place of a bright part of a map.
+struct EnvironmentKey {
+    glm::vec3 direction_world = glm::vec3(0.0f, -1.0f, 0.0f);  ///< the way it travels, unit
+    glm::vec3 irradiance_linear = glm::vec3(0.0f);             ///< on a surface that faces it
+    bool operator==(const EnvironmentKey&) const = default;
 };
 
 enum class FilterQuality {
@@ -62,16 +73,18 @@ struct FilteredEnvironment {
     /// Irradiance / pi: what a white Lambert surface sends out. One level.
     HalfCube diffuse;
     std::vector<EnvironmentSun> suns;  ///< at most kMostSuns
-    /// The mean of radiance over the sphere, and the strongest directional light in the map (the
-    /// way the light travels, and irradiance on a surface that faces it): what the traditional
-    /// models see of the environment. Their sum over a sphere keeps the map's energy.
+    /// What the traditional models see of the map: its strongest directional lights, at least one
+    /// and at most kMostKeys, the strongest first, and the mean of what is left of its radiance.
+    /// Their sum over a sphere keeps the map's energy.
     glm::vec3 ambient_linear = glm::vec3(0.0f);
-    glm::vec3 key_direction_world = glm::vec3(0.0f, -1.0f, 0.0f);
-    glm::vec3 key_irradiance_linear = glm::vec3(0.0f);
+    std::vector<EnvironmentKey> keys = {{}};
+    SkyShares sky = even_sky();  ///< sky_shares of `map` and `suns`
 };
 
 /// At most this many suns are taken out of a map, the strongest.
 inline constexpr std::size_t kMostSuns = 4;
+/// A key, a fill and a rim: what fixed-function artists set up.
+inline constexpr std::size_t kMostKeys = 3;
 
 /// FilteredEnvironment::map of an equirectangular map: what filter_environment filters.
 Result<RadianceMap> filtered_map(const Image& equirect, FilterQuality quality);

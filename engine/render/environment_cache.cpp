@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised with every change of what filter_environment makes or of how it is laid out here.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 constexpr std::string_view kEnding = ".environment";
 constexpr std::uint64_t kLargestFileBytes = std::uint64_t{64} << 20;
@@ -81,6 +81,11 @@ class Reader {
         read(std::span<float>(&value, 1));
         return value;
     }
+    int whole_number() {
+        int value = 0;
+        read(std::span<int>(&value, 1));
+        return value;
+    }
     HalfCube cube() {
         std::array<int, 2> sizes = {};
         read(std::span<int>(sizes));
@@ -116,8 +121,11 @@ Bytes payload_of(const FilteredEnvironment& environment) {
         writer.add(std::span<const float>(&sun.radius_radians, 1));
     }
     writer.add(environment.ambient_linear);
-    writer.add(environment.key_direction_world);
-    writer.add(environment.key_irradiance_linear);
+    writer.add(static_cast<int>(environment.keys.size()));
+    for (const EnvironmentKey& key : environment.keys) {
+        writer.add(key.direction_world);
+        writer.add(key.irradiance_linear);
+    }
     return writer.bytes();
 }
 
@@ -144,8 +152,13 @@ std::optional<FilteredEnvironment> environment_from(const Bytes& file, const Has
         environment.suns.push_back(sun);
     }
     environment.ambient_linear = reader.vector();
-    environment.key_direction_world = reader.vector();
-    environment.key_irradiance_linear = reader.vector();
+    const int key_count = reader.whole_number();
+    if (key_count < 1 || key_count > static_cast<int>(kMostKeys)) return std::nullopt;
+    environment.keys.resize(static_cast<std::size_t>(key_count));
+    for (EnvironmentKey& key : environment.keys) {
+        key.direction_world = reader.vector();
+        key.irradiance_linear = reader.vector();
+    }
     if (!reader.is_whole()) return std::nullopt;
     return environment;
 }
@@ -203,6 +216,7 @@ std::optional<FilteredEnvironment> kept_environment(const EnvironmentCache& cach
     Result<RadianceMap> map = filtered_map(equirect, FilterQuality::Finished);
     if (!map) return std::nullopt;
     environment->map = std::make_shared<const RadianceMap>(std::move(*map));
+    environment->sky = sky_shares(*environment->map, environment->suns);
     fs::last_write_time(file, fs::file_time_type::clock::now(), error);
     return environment;
 }

@@ -218,6 +218,9 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
 
 Status draw_averaged(RendererState& state, const View& view, glm::ivec2 size,
                      const gl::Framebuffer& sum, int draws, const FrameTarget& target) {
+    // The floor's shadows are those of whole lamps.
+    if (has_floor(view.background) && view.ground_shadow)
+        if (Status lit = ready_lights(state, view); !lit) return lit;
     const glm::ivec2 side_size = side_area(view, size, FrameSide::Left).gbuffer_size;
     const FrameCamera camera =
         frame_camera(view, state.scene->bounds_world, side_size, glm::vec2(0.0f));

@@ -57,8 +57,8 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
     return GpuEnvironment{.specular = std::move(*specular),
                           .diffuse = std::move(*diffuse),
                           .ambient_linear = environment.ambient_linear,
-                          .key_direction_environment = environment.key_direction_world,
-                          .key_irradiance_linear = environment.key_irradiance_linear,
+                          .keys = environment.keys,
+                          .sky = environment.sky,
                           .suns = environment.suns,
                           .map = environment.map,
                           .sampling = environment.sampling,
@@ -94,9 +94,6 @@ glm::mat3 environment_from_world(float rotation_degrees) {
 
 namespace {
 
-/// A sun is no even disc: of its radius, where what is drawn of the map is in its shadow.
-constexpr float kSunReach = 1.5f;
-
 /// Laid out as passes/environment.glsl says.
 void set_suns(gl::Program& program, const std::vector<EnvironmentSun>& suns) {
     std::array<glm::vec4, kMostSuns> towards = {};
@@ -127,13 +124,19 @@ void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment
     set_suns(program, environment.suns);
 }
 
-Result<GpuGroundShadow> upload_ground_shadow(const GroundShadow& shadow) {
+Result<GpuGroundShadow> upload_ground_shadow(GroundShadow shadow) {
     Result<gl::Texture> light = gl::Texture::make(
         {.label = "ground shadow", .size = {shadow.side, shadow.side}, .format = gl::Format::R8});
     if (!light) return passed_on(light);
-    light->upload({.size = {shadow.side, shadow.side}},
-                  std::span<const std::uint8_t>(shadow.light));
-    return GpuGroundShadow{std::move(*light), shadow.center_world, shadow.extent};
+    return GpuGroundShadow{std::move(shadow), std::move(*light), std::nullopt};
+}
+
+void update_ground_shadow(GpuGroundShadow& shadow, const SkyShares& sky, float rotation_degrees) {
+    if (shadow.rotation_degrees == rotation_degrees) return;
+    const int side = shadow.shadow.side;
+    const std::vector<std::uint8_t> light = floor_light(shadow.shadow, sky, rotation_degrees);
+    shadow.light.upload({.size = {side, side}}, std::span<const std::uint8_t>(light));
+    shadow.rotation_degrees = rotation_degrees;
 }
 
 }  // namespace patina::render

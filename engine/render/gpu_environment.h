@@ -19,8 +19,8 @@ struct GpuEnvironment {
     gl::Texture specular;
     gl::Texture diffuse;
     glm::vec3 ambient_linear;
-    glm::vec3 key_direction_environment;  ///< the way the light travels, before rotation
-    glm::vec3 key_irradiance_linear;
+    std::vector<EnvironmentKey> keys;  ///< before rotation
+    SkyShares sky;
     std::vector<EnvironmentSun> suns;
     std::shared_ptr<const RadianceMap> map;
     std::shared_ptr<const EnvironmentSampling> sampling;  ///< until it is uploaded
@@ -45,10 +45,13 @@ void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment
                       const EnvironmentTables& tables, const gl::Sampler& linear, const View& view);
 
 struct GpuGroundShadow {
-    gl::Texture light;
-    glm::vec3 center_world;
-    float extent = 0.0f;
+    GroundShadow shadow;
+    gl::Texture light;                      ///< floor_light
+    std::optional<float> rotation_degrees;  ///< of the environment that it is made for; unset: none
 };
-Result<GpuGroundShadow> upload_ground_shadow(const GroundShadow& shadow);
+/// Its light is made by update_ground_shadow.
+Result<GpuGroundShadow> upload_ground_shadow(GroundShadow shadow);
+/// Weighs what is hidden with that sky, where it has not been.
+void update_ground_shadow(GpuGroundShadow& shadow, const SkyShares& sky, float rotation_degrees);
 
 }  // namespace patina::render

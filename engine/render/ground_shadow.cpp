@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -13,7 +14,6 @@ namespace {
 
 /// How far the map reaches beyond the scene, in radii of its base.
 constexpr float kReach = 2.2f;
-constexpr int kAzimuths = 24;
 constexpr int kSteps = 20;
 
 /// The lowest and highest surface over each texel, metres above the floor; low > high where none.
@@ -74,44 +74,85 @@ void rasterize(const Primitive& primitive, const glm::mat4& world_from_local,
                   columns);
 }
 
-/// The share of light that reaches one point of the floor. For each azimuth, the slopes (height
-/// over distance) that columns block are gathered as bits of elevation, cosine-weighted: bin k
-/// holds sin^2 of the elevation from k / 32 to (k + 1) / 32, which is the same share of the light
-/// in each.
-/// @param turn  0..1: turns the azimuths against those of the texels around
-float visible_sky(const Columns& columns, float x, float z, float turn) {
-    constexpr int kBins = 32;
-    int blocked_bins = 0;
-    for (int a = 0; a < kAzimuths; ++a) {
-        const float angle = glm::two_pi<float>() * (static_cast<float>(a) + turn) / kAzimuths;
-        const glm::vec2 direction(std::cos(angle), std::sin(angle));
-        std::uint32_t blocked = 0;
-        for (int s = 0; s < kSteps; ++s) {
-            // Steps grow with distance: near columns matter most.
-            const float share = (static_cast<float>(s) + 0.5f) / kSteps;
-            const float distance = 0.5f + share * share * static_cast<float>(columns.side) * 0.6f;
-            const int cx = static_cast<int>(x + direction.x * distance);
-            const int cz = static_cast<int>(z + direction.y * distance);
-            if (cx < 0 || cz < 0 || cx >= columns.side || cz >= columns.side) break;
-            const std::size_t i =
-                static_cast<std::size_t>(cz) * static_cast<std::size_t>(columns.side) +
-                static_cast<std::size_t>(cx);
-            if (columns.low[i] > columns.high[i]) continue;
-            const auto bin = [&](float height) {
-                const float slope = std::max(height, 0.0f) / (distance * columns.texel_metres);
-                return static_cast<int>(kBins * slope * slope / (1.0f + slope * slope));
-            };
-            for (int k = bin(columns.low[i]); k <= std::min(bin(columns.high[i]), kBins - 1); ++k)
-                blocked |= 1u << static_cast<unsigned>(k);
-        }
-        for (int k = 0; k < kBins; ++k) blocked_bins += static_cast<int>((blocked >> k) & 1u);
-    }
-    return 1.0f - static_cast<float>(blocked_bins) / (kBins * kAzimuths);
+/// Sixteen values, each once in every 4 x 4 texels: what smooth() averages away. They turn the
+/// azimuths of a texel against those of the texels around.
+constexpr int kTurns = 16;
+int turn_of(int x, int z) {
+    return (5 * (x & 3) + 4 * (z & 3)) % kTurns;
 }
 
-/// Sixteen values, each once in every 4 x 4 texels: what smooth() averages away.
-float turn_of(int x, int z) {
-    return (static_cast<float>(5 * (x & 3) + 4 * (z & 3) + ((x & 3) >> 1)) + 0.5f) / 16.0f;
+/// In the directions of the world, from +X towards +Z.
+float azimuth_angle(std::size_t azimuth, int turn) {
+    return glm::two_pi<float>() *
+           (static_cast<float>(azimuth) + (static_cast<float>(turn) + 0.5f) / kTurns) /
+           kGroundAzimuths;
+}
+
+/// The bands of the sky that columns block towards one azimuth, of a point of the floor in texels.
+std::uint32_t hidden_bands(const Columns& columns, const glm::vec2& from, float angle) {
+    const glm::vec2 direction(std::cos(angle), std::sin(angle));
+    std::uint32_t hidden = 0;
+    for (int s = 0; s < kSteps; ++s) {
+        // Steps grow with distance: near columns matter most.
+        const float share = (static_cast<float>(s) + 0.5f) / kSteps;
+        const float distance = 0.5f + share * share * static_cast<float>(columns.side) * 0.6f;
+        const int cx = static_cast<int>(from.x + direction.x * distance);
+        const int cz = static_cast<int>(from.y + direction.y * distance);
+        if (cx < 0 || cz < 0 || cx >= columns.side || cz >= columns.side) break;
+        const std::size_t i =
+            static_cast<std::size_t>(cz) * static_cast<std::size_t>(columns.side) +
+            static_cast<std::size_t>(cx);
+        if (columns.low[i] > columns.high[i]) continue;
+        const auto band = [&](float height) {
+            const float slope = std::max(height, 0.0f) / (distance * columns.texel_metres);
+            return static_cast<int>(kSkyBands * slope * slope / (1.0f + slope * slope));
+        };
+        for (int k = band(columns.low[i]); k <= std::min(band(columns.high[i]), kSkyBands - 1); ++k)
+            hidden |= 1u << static_cast<unsigned>(k);
+    }
+    return hidden;
+}
+
+HiddenSky hidden_sky(const Columns& columns, int x, int z) {
+    HiddenSky hidden;
+    const glm::vec2 middle(static_cast<float>(x) + 0.5f, static_cast<float>(z) + 0.5f);
+    for (std::size_t a = 0; a < kGroundAzimuths; ++a)
+        hidden[a] = hidden_bands(columns, middle, azimuth_angle(a, turn_of(x, z)));
+    return hidden;
+}
+
+/// What of the light comes through each band of the sector about each azimuth of a turn.
+using SectorShares = std::array<std::array<float, kSkyBands>, kGroundAzimuths>;
+
+SectorShares sector_shares(const SkyShares& sky, int turn, float rotation_degrees) {
+    constexpr float kCellsPerSector = static_cast<float>(kSkyAzimuths) / kGroundAzimuths;
+    SectorShares shares = {};
+    for (std::size_t a = 0; a < kGroundAzimuths; ++a) {
+        // The map turns counter-clockwise: what lies at an angle of the world is at a greater one
+        // of the map, which begins at -pi.
+        const float angle =
+            azimuth_angle(a, turn) + glm::radians(rotation_degrees) + glm::pi<float>();
+        const float middle = angle / glm::two_pi<float>() * kSkyAzimuths;
+        const float first = middle - 0.5f * kCellsPerSector;
+        const float last = middle + 0.5f * kCellsPerSector;
+        for (int cell = static_cast<int>(std::floor(first)); static_cast<float>(cell) < last;
+             ++cell) {
+            const auto begin = static_cast<float>(cell);
+            const float part = std::min(last, begin + 1.0f) - std::max(first, begin);
+            const auto& bands =
+                sky[static_cast<std::size_t>((cell % kSkyAzimuths + kSkyAzimuths) % kSkyAzimuths)];
+            for (std::size_t k = 0; k < kSkyBands; ++k) shares[a][k] += part * bands[k];
+        }
+    }
+    return shares;
+}
+
+float hidden_share(const HiddenSky& hidden, const SectorShares& shares) {
+    float sum = 0.0f;
+    for (std::size_t a = 0; a < kGroundAzimuths; ++a)
+        for (std::uint32_t bits = hidden[a]; bits != 0; bits &= bits - 1)
+            sum += shares[a][static_cast<std::size_t>(std::countr_zero(bits))];
+    return sum;
 }
 
 /// The mean over 5 x 5 texels weighted 1 2 2 2 1 along each side: every turn has the same weight.
@@ -148,7 +189,8 @@ float edge_fade(float x, float z, int side) {
 GroundShadow ground_shadow(const Scene& scene, const Bounds& bounds_world, int side) {
     GroundShadow shadow;
     shadow.side = side;
-    shadow.light.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 255);
+    shadow.hidden.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                         HiddenSky{});
     if (bounds_world.empty()) return shadow;
     const glm::vec3 center = bounds_world.center();
     const glm::vec3 half = 0.5f * (bounds_world.high - bounds_world.low);
@@ -156,30 +198,45 @@ GroundShadow ground_shadow(const Scene& scene, const Bounds& bounds_world, int s
     shadow.extent = kReach * std::max(glm::length(glm::vec2(half.x, half.z)), 1e-6f);
 
     Columns columns{side, 2.0f * shadow.extent / static_cast<float>(side), {}, {}};
-    columns.low.assign(shadow.light.size(), 1e30f);
-    columns.high.assign(shadow.light.size(), -1e30f);
+    columns.low.assign(shadow.hidden.size(), 1e30f);
+    columns.high.assign(shadow.hidden.size(), -1e30f);
     const glm::vec3 corner = shadow.center_world - glm::vec3(shadow.extent, 0.0f, shadow.extent);
     for (const MeshInstance& instance : scene.instances)
         for (const Primitive& primitive :
              scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
             rasterize(primitive, instance.world_from_local, corner, columns);
 
-    std::vector<float> dark(shadow.light.size());
     parallel_for(0, side, 4, [&](std::int64_t first, std::int64_t last) {
         for (int z = static_cast<int>(first); z < static_cast<int>(last); ++z)
-            for (int x = 0; x < side; ++x) {
-                const float px = static_cast<float>(x) + 0.5f;
-                const float pz = static_cast<float>(z) + 0.5f;
-                dark[static_cast<std::size_t>(z) * static_cast<std::size_t>(side) +
-                     static_cast<std::size_t>(x)] =
-                    (1.0f - visible_sky(columns, px, pz, turn_of(x, z))) * edge_fade(px, pz, side);
-            }
-    });
-    const std::vector<float> smoothed = smooth(dark, side);
-    std::transform(smoothed.begin(), smoothed.end(), shadow.light.begin(), [](float value) {
-        return static_cast<std::uint8_t>(255.0f * (1.0f - value) + 0.5f);
+            for (int x = 0; x < side; ++x)
+                shadow.hidden[static_cast<std::size_t>(z) * static_cast<std::size_t>(side) +
+                              static_cast<std::size_t>(x)] = hidden_sky(columns, x, z);
     });
     return shadow;
+}
+
+std::vector<std::uint8_t> floor_light(const GroundShadow& shadow, const SkyShares& sky,
+                                      float rotation_degrees) {
+    std::array<SectorShares, kTurns> shares;
+    for (int turn = 0; turn < kTurns; ++turn)
+        shares[static_cast<std::size_t>(turn)] = sector_shares(sky, turn, rotation_degrees);
+    std::vector<float> dark(shadow.hidden.size());
+    for (int z = 0; z < shadow.side; ++z)
+        for (int x = 0; x < shadow.side; ++x) {
+            const std::size_t i =
+                static_cast<std::size_t>(z) * static_cast<std::size_t>(shadow.side) +
+                static_cast<std::size_t>(x);
+            const auto turn = static_cast<std::size_t>(turn_of(x, z));
+            dark[i] =
+                hidden_share(shadow.hidden[i], shares[turn]) *
+                edge_fade(static_cast<float>(x) + 0.5f, static_cast<float>(z) + 0.5f, shadow.side);
+        }
+    const std::vector<float> smoothed = smooth(dark, shadow.side);
+    std::vector<std::uint8_t> light(smoothed.size());
+    std::transform(smoothed.begin(), smoothed.end(), light.begin(), [](float value) {
+        return static_cast<std::uint8_t>(255.0f * std::clamp(1.0f - value, 0.0f, 1.0f) + 0.5f);
+    });
+    return light;
 }
 
 }  // namespace patina::render

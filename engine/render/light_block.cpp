@@ -23,19 +23,14 @@ using Lamps = std::array<Lamp, kMaxLights>;
 static_assert(sizeof(Lamps) <= 16384);
 constexpr Lamps kNoLamps = {};
 
-/// Of spot lights, as KHR_lights_punctual's sample code: scale and offset of the cone. Of the
-/// others, the sizes.
+/// What the last numbers of a lamp are.
 glm::vec2 sizes_of(const Light& light) {
     switch (light.kind) {
         case Light::Kind::Directional:
         case Light::Kind::Point:
             return {};
-        case Light::Kind::Spot: {
-            const float inner = std::cos(light.inner_cone_radians);
-            const float outer = std::cos(light.outer_cone_radians);
-            const float scale = 1.0f / std::max(inner - outer, 0.001f);
-            return {scale, -outer * scale};
-        }
+        case Light::Kind::Spot:
+            return spot_cone(light);
         case Light::Kind::Sphere:
             return {light.radius_m, 0.0f};
         case Light::Kind::Rectangle:
@@ -71,6 +66,12 @@ glm::vec3 rectangle_across(const Light& light) {
         glm::length(sideways) > 1e-4f ? glm::normalize(sideways) : glm::vec3(1.0f, 0.0f, 0.0f);
     return std::cos(light.turn_radians) * level +
            std::sin(light.turn_radians) * glm::cross(direction, level);
+}
+
+glm::vec2 spot_cone(const Light& light) {
+    const float outer = std::cos(light.outer_cone_radians);
+    const float scale = 1.0f / std::max(std::cos(light.inner_cone_radians) - outer, 0.001f);
+    return {scale, -outer * scale};
 }
 
 LightBlock::LightBlock()

@@ -31,4 +31,7 @@ class LightBlock {
 /// Where the width of a rectangle of that direction and turn lies, unit.
 glm::vec3 rectangle_across(const Light& light);
 
+/// Scale and offset of a spot, for cone_window of shaders/shared/lamp.glsl.
+glm::vec2 spot_cone(const Light& light);
+
 }  // namespace patina::render

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/light_uniforms.h"
 
+#include <array>
 #include <glm/glm.hpp>
+#include <span>
 
 #include "render/renderer_state.h"
 
@@ -22,21 +24,27 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
 
 Status ready_lights(RendererState& state, const View& view, const std::optional<LampPoint>& point) {
     state.lights.set(view.lights);
+    if (has_floor(view.background) && view.ground_shadow)
+        update_ground_shadow(state.shadow, state.environment->sky,
+                             view.environment_rotation_degrees);
     return draw_shadow_maps(state, view, point);
-}
-
-glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment) {
-    return glm::transpose(environment_from_world(view.environment_rotation_degrees)) *
-           environment.key_direction_environment;
 }
 
 void set_lighting(gl::Program& program, const View& view, const Shading& shading,
                   const GpuEnvironment& environment) {
-    const glm::vec3 key = turned_key_direction(view, environment);
-    program.set("key_direction", towards_key(view, key));
-    program.set("ambient_key_direction", -key);
-    program.set("ambient_key_irradiance",
-                view.environment_intensity * environment.key_irradiance_linear);
+    const glm::mat3 world_from_environment =
+        glm::transpose(environment_from_world(view.environment_rotation_degrees));
+    std::array<glm::vec4, kMostKeys> towards = {};
+    std::array<glm::vec4, kMostKeys> irradiance = {};
+    for (std::size_t i = 0; i < environment.keys.size(); ++i) {
+        const EnvironmentKey& key = environment.keys[i];
+        towards[i] = glm::vec4(-(world_from_environment * key.direction_world), 0.0f);
+        irradiance[i] = glm::vec4(view.environment_intensity * key.irradiance_linear, 0.0f);
+    }
+    program.set("key_direction", towards_key(view, -glm::vec3(towards[0])));
+    program.set("ambient_key_count", static_cast<int>(environment.keys.size()));
+    program.set("ambient_key_towards[0]", std::span<const glm::vec4>(towards));
+    program.set("ambient_key_irradiance[0]", std::span<const glm::vec4>(irradiance));
     program.set("ambient_radiance", shading.phong.ambient_linear.value_or(
                                         view.environment_intensity * environment.ambient_linear));
     program.set("phong_exponent_override", shading.phong.exponent.value_or(-1.0f));

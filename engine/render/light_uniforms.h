@@ -17,9 +17,6 @@ struct RendererState;
 Status ready_lights(RendererState& state, const View& view,
                     const std::optional<LampPoint>& point = std::nullopt);
 
-/// The way the strongest light of the environment travels in the world.
-glm::vec3 turned_key_direction(const View& view, const GpuEnvironment& environment);
-
 /// The key light, and what of the environment the traditional models see.
 void set_lighting(gl::Program& program, const View& view, const Shading& shading,
                   const GpuEnvironment& environment);

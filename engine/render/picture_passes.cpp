@@ -16,15 +16,28 @@ constexpr int kGBufferUnit = 0;
 constexpr int kDepthUnit = 5;
 constexpr int kInspectionUnit = 6;
 constexpr int kGroundShadowUnit = 7;
+/// Of the shadows on the floor behind a mean of many draws, which is drawn once: of a still, and of
+/// a picture that is shown while it refines.
+constexpr int kFloorDrawsOfStill = 16;
+constexpr int kFloorDrawsOfMean = 4;
+
+int floor_draws_for(const PictureTarget& target, int averaged) {
+    if (averaged <= 1) return 1;
+    return target.output == OutputMode::Srgb ? kFloorDrawsOfMean : kFloorDrawsOfStill;
+}
 constexpr std::array<const char*, 5> kGBufferSamplers = {
     "albedo", "normal_roughness", "specular_ior", "emissive_occlusion", "surface_target"};
 
 using Constants = std::vector<gl::ShaderDefine>;
 
+bool has_shadows(const RendererState& state) {
+    return !state.shadow_maps.plan.lights.empty();
+}
+
 void add_shading_constants(Constants& constants, const RendererState& state, const SideView& side,
                            const PictureTarget& target) {
     const auto& [view, shading, of_comparison] = side;
-    constants.push_back(shader_constant("SHADOW_COUNT", state.shadow_maps.plan.lights.size()));
+    constants.push_back(shader_constant("SHADOWS", has_shadows(state)));
     constants.push_back(shader_constant("AREA_LIGHTS", state.lights.any_has_size()));
     constants.push_back(shader_constant("OCCLUDE_REFLECTIONS", view.occlude_reflections));
     constants.push_back(shader_constant("SHADING_MODEL", shading.model));
@@ -64,13 +77,14 @@ glm::vec3 linear_color(const glm::vec3& srgb) {
 }
 
 void set_background(gl::Pass& pass, gl::Program& program, const RendererState& state,
-                    const View& view) {
+                    const View& view, int floor_draws = 1) {
     program.set("background_color", linear_color(view.background.color_srgb));
     pass.bind_texture(program, "ground_shadow", kGroundShadowUnit, state.shadow.light,
                       &state.linear);
-    program.set("ground_shadow_extent", view.ground_shadow ? state.shadow.extent : 0.0f);
-    program.set("floor_center", state.shadow.center_world);
+    program.set("ground_shadow_extent", view.ground_shadow ? state.shadow.shadow.extent : 0.0f);
+    program.set("floor_center", state.shadow.shadow.center_world);
     program.set("floor_radius", std::max(state.scene->bounds_world.radius(), 1e-6f));
+    program.set("floor_draws", floor_draws);
 }
 
 /// What a pass reads beside surfaces.
@@ -216,6 +230,9 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     ShaderVariant variant{kFullScreenVertexFile, "passes/post.frag", {}};
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, side.view);
+    const bool floor_shadows =
+        has_floor(side.view.background) && side.view.ground_shadow && has_shadows(state);
+    variant.constants.push_back(shader_constant("SHADOWS", floor_shadows));
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
     const auto tables = environment_tables(state, side.shading.terms);
@@ -225,8 +242,10 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     gl::Pass pass(full_screen_pass("post", target));
     set_camera(program, camera, target);
     set_output(program, side.view);
-    set_background(pass, program, state, side.view);
+    set_background(pass, program, state, side.view, floor_draws_for(target, radiance.draws));
     bind_environment(pass, program, *state.environment, **tables, state.linear, side.view);
+    state.lights.bind(pass, program);
+    bind_shadows(pass, program, state, target.draw_index);
     program.set("radiance_offset", radiance.picture_offset);
     program.set("radiance_share", 1.0f / static_cast<float>(radiance.draws));
     pass.bind_texture(program, "radiance", 0, radiance.sum->color(0));

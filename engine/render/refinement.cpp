@@ -21,6 +21,17 @@ constexpr int kFilteredDraws = 16;
 /// The mean of fewer draws has rougher edges than the fast anti-aliasing of a single one.
 constexpr int kLeastShownDraws = 8;
 
+/// Beyond these draws one more is hardly seen: only every eighth mean is shown.
+constexpr int kDrawsShownOneByOne = 32;
+constexpr int kShownEvery = 8;
+
+bool is_shown(const Refinement& refinement) {
+    const int drawn = refinement.drawn;
+    if (refinement.is_finished()) return true;
+    if (drawn < kLeastShownDraws) return false;
+    return drawn <= kDrawsShownOneByOne || drawn % kShownEvery == 0;
+}
+
 /// Edges of 64 steps are as fine as 8 bits show of most.
 constexpr int kDrawsForEdges = 64;
 
@@ -65,7 +76,7 @@ Status Renderer::refine(Refinement& refinement) {
     state_->drawn_view = drawn_view;
     if (!added) return added;
     ++refinement.drawn;
-    if (refinement.drawn < std::min(kLeastShownDraws, refinement.draws)) return {};
+    if (!is_shown(refinement)) return {};
     return show_mean(*state_, refinement, **sum);
 }
 

@@ -126,7 +126,7 @@ Result<Renderer> Renderer::create() {
     Result<GpuMaterials> materials = GpuMaterials::make();
     if (!materials) return passed_on(materials);
     Result<GpuGroundShadow> shadow =
-        upload_ground_shadow({.side = 1, .extent = 0.0f, .light = {255}});
+        upload_ground_shadow({.side = 1, .extent = 0.0f, .hidden = {HiddenSky{}}});
     if (!shadow) return passed_on(shadow);
     auto state =
         std::make_unique<RendererState>(*shaders, std::move(*materials), std::move(*shadow));
@@ -176,6 +176,7 @@ Status Renderer::set_environment(const FilteredEnvironment& environment) {
     if (!uploaded) return passed_on(uploaded);
     state_->environment = std::move(*uploaded);
     state_->sampled_environment.reset();
+    state_->shadow.rotation_degrees.reset();
     return {};
 }
 

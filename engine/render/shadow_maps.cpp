@@ -99,6 +99,7 @@ void bind_shadows(gl::Pass& pass, gl::Program& program, const RendererState& sta
     for (std::size_t i = 0; i < lamps.size(); ++i)
         lamps[i] = static_cast<float>(shadows.plan.lamps[i]);
     program.set("shadow_lamp[0]", std::span<const float>(lamps));
+    program.set("shadow_count", static_cast<int>(shadows.plan.lights.size()));
     program.set("sun_shadow_count", shadows.plan.suns);
     program.set("key_shadow", shadows.plan.key);
     program.set("lamp_point", shadows.point.u);

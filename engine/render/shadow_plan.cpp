@@ -8,7 +8,6 @@
 
 #include "core/formulae/formulae.h"
 #include "render/light_block.h"
-#include "render/light_uniforms.h"
 
 namespace patina::render {
 namespace {
@@ -34,7 +33,9 @@ void plan_suns(const View& view, const GpuEnvironment& environment, ShadowPlan& 
 }
 
 void plan_key_light(const View& view, const GpuEnvironment& environment, ShadowPlan& plan) {
-    const glm::vec3 towards = -turned_key_direction(view, environment);
+    const glm::vec3 towards =
+        -(glm::transpose(environment_from_world(view.environment_rotation_degrees)) *
+          environment.keys.front().direction_world);
     for (int i = 0; i < plan.suns; ++i)
         if (glm::dot(plan.lights[static_cast<std::size_t>(i)].towards_world, towards) >
             kSameLightCosine)
@@ -44,32 +45,72 @@ void plan_key_light(const View& view, const GpuEnvironment& environment, ShadowP
     plan.lights.push_back({.towards_world = towards, .radius = kKeyRadius});
 }
 
-/// How brightly a lamp lights the middle of the scene.
-float strength_of(const Light& light, const glm::vec3& middle) {
+/// The ball around the scene, which lamps are weighed by.
+struct Ball {
+    glm::vec3 middle;
+    float radius;
+};
+
+/// What gets anywhere into a ball of what a lamp sends out ahead, by its range, its cone and the
+/// side that it shines to: 0 where none of the ball is lit.
+float most_reaching(const Light& light, const Ball& ball) {
+    const glm::vec3 way = ball.middle - light.position_world;
+    const float distance = glm::length(way);
+    const float window =
+        formulae::range_window(std::max(distance - ball.radius, 0.0f), light.range);
+    const bool all_sides = light.kind != Light::Kind::Spot && light.kind != Light::Kind::Rectangle;
+    if (all_sides || distance <= ball.radius) return window;
+    const float aside =
+        std::acos(std::clamp(glm::dot(way / distance, glm::normalize(light.direction_world)), -1.0f,
+                             1.0f)) -
+        std::asin(ball.radius / distance);
+    const float cosine = std::cos(std::max(aside, 0.0f));
+    if (light.kind == Light::Kind::Rectangle) return window * std::max(cosine, 0.0f);
+    const glm::vec2 cone = spot_cone(light);
+    return window * formulae::cone_window(cosine, cone.x, cone.y);
+}
+
+/// How brightly a lamp lights the scene, about its middle.
+float strength_of(const Light& light, const Ball& ball) {
     const formulae::Real3 color(light.color_linear.x, light.color_linear.y, light.color_linear.z);
     const float power = light.intensity * formulae::luminance(color);
     if (light.kind == Light::Kind::Directional) return power;
-    const glm::vec3 off = light.position_world - middle;
-    return power / std::max(glm::dot(off, off), 1e-6f);
+    const glm::vec3 off = light.position_world - ball.middle;
+    return power * most_reaching(light, ball) / std::max(glm::dot(off, off), 1e-6f);
 }
 
-/// The point of a lamp that has a size, as passes/area_lighting.glsl draws it in the same draw.
+formulae::Real3 real3(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+glm::vec3 vector_of(const formulae::Real3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// The point of a lamp that has a size from which all of its light comes in a draw: of a rectangle
+/// the one that passes/area_lighting.glsl draws directions to, of a sphere where the direction that
+/// it draws from the middle of the scene meets the disc across.
 glm::vec3 point_of(const Light& light, const LampPoint& point, const glm::vec3& middle) {
+    const formulae::Real2 u(point.u.x, point.u.y);
     if (light.kind == Light::Kind::Rectangle) {
         const glm::vec3 across = rectangle_across(light);
-        const glm::vec3 up = glm::cross(glm::normalize(light.direction_world), across);
-        return light.position_world + across * ((point.u.x - 0.5f) * light.width_m) +
-               up * ((point.u.y - 0.5f) * light.height_m);
+        const glm::vec3 ahead = glm::normalize(light.direction_world);
+        formulae::SeenRectangle rectangle;
+        rectangle.middle = real3(light.position_world);
+        rectangle.across = real3(across);
+        rectangle.up = real3(glm::cross(ahead, across));
+        rectangle.shines = real3(ahead);
+        rectangle.half_width = 0.5f * light.width_m;
+        rectangle.half_height = 0.5f * light.height_m;
+        return vector_of(formulae::rectangle_point(u, rectangle));
     }
     const glm::vec3 to_light = light.position_world - middle;
-    if (glm::length(to_light) < 1e-6f) return light.position_world;
-    const glm::vec3 z = glm::normalize(to_light);
-    const formulae::Across frame = formulae::across_of({z.x, z.y, z.z});
-    const float aside = light.radius_m * std::sqrt(point.u.y);
-    const float turn = glm::two_pi<float>() * point.u.x;
-    const glm::vec3 x(frame.x_axis.x, frame.x_axis.y, frame.x_axis.z);
-    const glm::vec3 y(frame.y_axis.x, frame.y_axis.y, frame.y_axis.z);
-    return light.position_world + aside * (std::cos(turn) * x + std::sin(turn) * y);
+    const float distance = glm::length(to_light);
+    if (distance <= light.radius_m) return light.position_world;
+    const glm::vec3 towards = to_light / distance;
+    const float sine = light.radius_m / distance;
+    const glm::vec3 direction =
+        vector_of(formulae::sphere_direction(u, real3(towards), sine * sine));
+    return middle + direction * (distance / glm::dot(direction, towards));
 }
 
 ShadowLight shadow_light(const Light& light, const glm::vec3& middle,
@@ -91,18 +132,18 @@ ShadowLight shadow_light(const Light& light, const glm::vec3& middle,
 }
 
 /// The strongest lamps, in the order of View::lights where they are equal.
-void plan_lamps(const View& view, const glm::vec3& middle, const std::optional<LampPoint>& point,
+void plan_lamps(const View& view, const Ball& ball, const std::optional<LampPoint>& point,
                 ShadowPlan& plan) {
-    std::vector<std::size_t> order;
+    std::vector<std::pair<float, std::size_t>> order;
     for (std::size_t i = 0; i < view.lights.size(); ++i)
-        if (strength_of(view.lights[i], middle) > 0.0f) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return strength_of(view.lights[a], middle) > strength_of(view.lights[b], middle);
-    });
-    for (const std::size_t i : order) {
+        if (const float strength = strength_of(view.lights[i], ball); strength > 0.0f)
+            order.emplace_back(strength, i);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& [strength, i] : order) {
         if (plan.lights.size() == kMostShadows) return;
         plan.lamps[plan.lights.size()] = static_cast<int>(i);
-        plan.lights.push_back(shadow_light(view.lights[i], middle, point));
+        plan.lights.push_back(shadow_light(view.lights[i], ball.middle, point));
     }
 }
 
@@ -151,7 +192,7 @@ ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment, cons
     if (!view.shadows) return plan;
     if (shows_pbr(view)) plan_suns(view, environment, plan);
     if (shows_traditional(view)) plan_key_light(view, environment, plan);
-    plan_lamps(view, bounds.center(), point, plan);
+    plan_lamps(view, {bounds.center(), bounds.radius()}, point, plan);
     return plan;
 }
 

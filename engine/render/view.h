@@ -43,7 +43,7 @@ inline constexpr std::array<Choice<CompareMode>, 4> kCompareModes = {{
 
 struct Background {
     enum class Kind {
-        Studio,              ///< a dark grey backdrop with a floor that takes a contact shadow
+        Studio,              ///< a dark grey backdrop with a floor
         Environment,         ///< the environment, sharp
         BlurredEnvironment,  ///< the environment, out of focus
         Color,               ///< one plain colour
@@ -79,7 +79,7 @@ struct View {
     std::vector<Light> lights;                  ///< at most kMaxLights; the first is the key light
 
     Background background;
-    bool ground_shadow = true;  ///< contact shadow on the floor; Studio only
+    bool ground_shadow = true;  ///< the model's shadow on the floor, where there is one
     /// Suns of the environment, the key light of the traditional models and the strongest lamps
     /// cast shadows on the model: six lights at most.
     bool shadows = true;
@@ -97,6 +97,12 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
+/// Whether the model stands on something in its picture: the studio's floor, or a ground in the
+/// environment that is seen by its shadow alone.
+inline bool has_floor(const Background& background) {
+    return background.kind != Background::Kind::Color &&
+           background.kind != Background::Kind::Transparent;
+}
 /// Whether a side that is on screen is shaded physically.
 inline bool shows_pbr(const View& view) {
     return view.left.model == ShadingModel::Pbr ||

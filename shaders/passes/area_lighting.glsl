@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lamps that have a size. While things move: the diffuse part in closed form, the highlight from the
-// point that stands for the lamp. In stills that converge: directions towards the lamp and of the
+// Lamps that have a size. While things move: diffuse part and highlight in closed form. In stills that converge: directions towards the lamp and of the
 // surface's own lobe, weighted by the balance heuristic as those of environment_samples.glsl are.
 // Constant: AREA_LIGHTS; 0 leaves all of it out, which compiles faster.
 
@@ -12,7 +11,8 @@
 
 /// The map that holds the shadow of a lamp; -1: none.
 int map_of_lamp(int i) {
-    for (int map = 0; map < SHADOW_COUNT; ++map)
+    if (SHADOWS == 0) return -1;
+    for (int map = 0; map < shadow_count; ++map)
         if (int(shadow_lamp[map]) == i) return map;
     return -1;
 }
@@ -56,26 +56,27 @@ SeenLamp seen_lamp(Lamp lamp, vec3 point) {
     return seen;
 }
 
-/// In closed form, with the point nearest to the mirrored eye for the highlight.
+/// In closed form.
 void add_area_lamp(inout Lit lit, SeenLamp lamp, int i, Surface s, PbrSurface p, vec3 v) {
-    vec3 mirrored = reflect(-v, s.normal);
     SeenRectangle r = lamp.rectangle;
-    vec3 vector = lamp.is_sphere ? lamp.sine2 * normalize(r.middle) : rectangle_irradiance(r);
+    vec3 towards = normalize(r.middle);
+    vec3 vector = lamp.is_sphere ? lamp.sine2 * towards : rectangle_irradiance(r);
     float facing = length(vector);
     if (facing <= 0.0) return;
-    vec3 light = PI * lamp.radiance * lamp_reaching(i, s, vector / facing);
+    vec3 radiance = lamp.radiance * lamp_reaching(i, s, vector / facing);
 
     ReflectionAngles angles = reflection_angles(s.normal, v, vector / facing);
-    lit.diffuse_direct += light * share_of_vector(vector, s.normal) *
+    lit.diffuse_direct += PI * radiance * share_of_vector(vector, s.normal) *
                           brdf_diffuse(TERMS, angles, p.diffuse, p.dielectric, s.f90, s.roughness);
 
-    vec3 nearest = lamp.is_sphere ? sphere_nearest(r.middle, lamp.radius, mirrored)
-                                  : rectangle_nearest(r, mirrored);
-    float aspect = lamp.is_sphere ? 1.0 : r.half_width / r.half_height;
-    angles = reflection_angles(s.normal, v, nearest);
-    lit.specular_direct += light * facing * angles.n_dot_l * p.boost *
-                           nearest_weight(alpha_from_roughness(s.roughness), facing, aspect) *
-                           brdf_specular(TERMS, angles, s.f0, s.f90, s.roughness);
+    float alpha = alpha_from_roughness(s.roughness);
+    Highlight highlight = lamp.is_sphere
+                              ? sphere_highlight(towards, lamp.sine2, v, s.normal, alpha)
+                              : rectangle_highlight(r, v, s.normal, alpha);
+    angles = reflection_angles(s.normal, v, highlight_direction(highlight, v, s.normal));
+    lit.specular_direct +=
+        radiance * p.boost *
+        brdf_of_highlight(TERMS, angles, highlight.share, s.f0, s.f90, s.roughness);
 }
 
 /// Of drawing a direction that meets the lamp. by_point: points of a rectangle are drawn, and not

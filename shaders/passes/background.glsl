@@ -3,16 +3,19 @@
 
 #include "passes/camera.glsl"
 #include "passes/environment.glsl"
+#include "passes/lights.glsl"
 #include "passes/output.glsl"
+#include "passes/shadows.glsl"
 
-// Constant: BACKGROUND_KIND, one of render::Background::Kind as below.
+// Constants: BACKGROUND_KIND, one of render::Background::Kind as below; those of shadows.glsl.
 
 uniform vec3 background_color;  // linear, on the screen
 
 uniform vec3 floor_center;   // the middle of the scene, on the floor
 uniform float floor_radius;  // of the scene
-uniform sampler2D ground_shadow;
+uniform sampler2D ground_shadow;     // what reaches the floor of the environment without its suns
 uniform float ground_shadow_extent;  // metres from the middle to the edge; 0: none
+uniform int floor_draws;             // that the shadows of lights on the floor are the mean of
 
 const int BACKGROUND_STUDIO = 0;
 const int BACKGROUND_ENVIRONMENT = 1;
@@ -28,31 +31,79 @@ float contact_light(vec3 point) {
     return texture(ground_shadow, uv).r;
 }
 
+/// The light that a map holds the shadow of, on the floor: irradiance, and the way to it.
+struct FloorLight {
+    vec3 irradiance;
+    vec3 towards;
+};
+FloorLight floor_light(int map, vec3 point) {
+    FloorLight light = FloorLight(vec3(0.0), vec3(0.0, 1.0, 0.0));
+    int lamp = int(shadow_lamp[map]);
+    if (lamp >= 0) {
+        Incident incident = incident_light(lamps[lamp], point);
+        light = FloorLight(incident.irradiance, incident.direction);
+    } else if (map < sun_shadow_count || (map == key_shadow && sun_count > 0)) {
+        // The key light of Phong is the strongest sun, or in the light that ground_shadow weighs.
+        int sun = map < sun_shadow_count ? map : 0;
+        light = FloorLight(environment_intensity * sun_irradiance[sun].rgb,
+                           sun_towards[sun].xyz * environment_from_world);
+    }
+    light.irradiance *= max(light.towards.y, 0.0);
+    return light;
+}
+
+/// What is left of the light of a point of the floor, of all that would reach it without the model.
+/// Lights that cast no shadow are left out of both.
+vec3 floor_shadow(vec3 point, vec2 pixel) {
+    if (ground_shadow_extent <= 0.0) return vec3(1.0);
+    vec3 up = vec3(0.0, 1.0, 0.0);
+    vec3 whole = PI * environment_diffuse(up);
+    vec3 left = whole * contact_light(point);
+    for (int map = 0; SHADOWS == 1 && map < shadow_count; ++map) {
+        FloorLight light = floor_light(map, point);
+        float reaching = 0.0;
+        for (int i = 0; i < floor_draws; ++i)
+            reaching += light_reaching(map, point, up, light.towards, pixel + 7.0 * float(i));
+        whole += light.irradiance;
+        left += light.irradiance * (reaching / float(floor_draws));
+    }
+    // A colour that no light has is not taken from the floor.
+    vec3 least = vec3(1e-3 * luminance(whole) + 1e-6);
+    return (left + least) / (whole + least);
+}
+
+/// Where a ray meets the floor, before the near plane maybe; w: 1, or 0 where it does not.
+vec4 floor_point(Ray ray) {
+    bool meets = ray.direction.y < 0.0 && camera_position.y > floor_center.y;
+    float travel = (floor_center.y - ray.origin.y) / min(ray.direction.y, -1e-4);
+    return vec4(ray.origin + travel * ray.direction, meets ? 1.0 : 0.0);
+}
+
 /// A photographer's backdrop: a floor that rises into a wall, lit in the middle, dark at the rim.
 /// Linear light on the screen: it stays as it is when exposure changes.
 vec3 studio_backdrop(vec2 pixel) {
     Ray ray = ray_through(pixel);
     vec3 wall = mix(vec3(0.036, 0.036, 0.037), vec3(0.0135, 0.0138, 0.0148),
                     smoothstep(-0.12, 0.4, ray.direction.y));
-    float height = floor_center.y - ray.origin.y;
     vec3 backdrop = wall;
-    // Every ray that goes down from above the floor meets it, before the near plane maybe.
-    if (ray.direction.y < 0.0 && camera_position.y > floor_center.y) {
-        float travel = height / min(ray.direction.y, -1e-4);
-        vec3 point = ray.origin + travel * ray.direction;
+    vec4 point = floor_point(ray);
+    if (point.w > 0.0) {
         float distance_in_radii = length(point.xz - floor_center.xz) / floor_radius;
-        vec3 floor_tone = vec3(0.064) * contact_light(point);
+        vec3 floor_tone = vec3(0.064) * floor_shadow(point.xyz, pixel);
         backdrop = mix(floor_tone, wall, smoothstep(1.0, 9.0, distance_in_radii));
     }
     vec2 from_middle = (pixel / picture_size - vec2(0.5, 0.45)) * vec2(1.0, 0.8);
     return backdrop * (1.0 - 1.3 * dot(from_middle, from_middle));
 }
 
+/// The ground is what is there of the map, in the shadow of the model.
 vec3 environment_backdrop(vec2 pixel) {
-    vec3 direction = ray_through(pixel).direction;
-    return BACKGROUND_KIND == BACKGROUND_ENVIRONMENT
-               ? environment_radiance(direction, 0.0)
-               : environment_blurred(direction, BLURRED_ROUGHNESS);
+    Ray ray = ray_through(pixel);
+    vec3 radiance = BACKGROUND_KIND == BACKGROUND_ENVIRONMENT
+                        ? environment_radiance(ray.direction, 0.0)
+                        : environment_blurred(ray.direction, BLURRED_ROUGHNESS);
+    vec4 point = floor_point(ray);
+    return point.w > 0.0 ? radiance * floor_shadow(point.xyz, pixel) : radiance;
 }
 
 bool background_is_light() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lamps: those of KHR_lights_punctual, and spheres and rectangles. Laid out in
 // engine/render/light_block.cpp.
+#include "shared/lamp.glsl"
 #include "shared/transcendental.glsl"
 
 const int MAX_LIGHTS = 256;
@@ -28,12 +29,6 @@ struct Incident {
     vec3 direction;   // towards the lamp, unit
     vec3 irradiance;  // on a surface that faces it
 };
-
-/// 1, brought to 0 at the range (KHR_lights_punctual, "Range Property").
-float range_window(float distance_to_light, float range) {
-    if (range <= 0.0) return 1.0;
-    return clamp(1.0 - pow(distance_to_light / range, 4.0), 0.0, 1.0);
-}
 
 bool has_size(Lamp lamp) {
     return lamp.position_kind.w >= SPHERE;
@@ -67,10 +62,8 @@ Incident incident_light(Lamp lamp, vec3 point) {
         return Incident(direction, window * light.irradiance);
     }
     float attenuation = window / distance2;
-    if (lamp.position_kind.w == SPOT) {
-        float cone = clamp(dot(-direction, travel) * lamp.direction_size.w + lamp.across_size.w,
-                           0.0, 1.0);
-        attenuation *= cone * cone;
-    }
+    if (lamp.position_kind.w == SPOT)
+        attenuation *= cone_window(dot(-direction, travel), lamp.direction_size.w,
+                                   lamp.across_size.w);
     return Incident(direction, color * attenuation);
 }

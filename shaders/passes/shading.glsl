@@ -21,8 +21,10 @@ const int SHADING_BLINN_PHONG = 2;
 
 uniform vec3 key_direction;     // towards the light whose terms D, F and G can be shown, unit
 uniform vec3 ambient_radiance;  // Phong: the mean of the environment
-uniform vec3 ambient_key_irradiance;  // Phong: its strongest directional light ...
-uniform vec3 ambient_key_direction;   // ... and where that is, unit
+const int MOST_KEYS = 3;
+uniform int ambient_key_count;  // Phong: its strongest directional lights, the strongest first
+uniform vec4 ambient_key_towards[MOST_KEYS];     // unit
+uniform vec4 ambient_key_irradiance[MOST_KEYS];  // on a surface that faces it
 uniform float phong_exponent_override;        // below 0: from roughness
 uniform vec3 phong_specular_color_override;  // below 0: from F0
 uniform float phong_specular_strength;       // times either colour
@@ -170,15 +172,18 @@ void add_traditional_light(inout Lit lit, PhongMaterial m, vec3 n, vec3 v, vec3 
     lit.specular_direct += light * m.specular * lobe;
 }
 
-/// The environment is what a fixed-function artist had: an ambient colour and one strong light.
+/// The environment is what a fixed-function artist had: an ambient colour and a few lights, the
+/// strongest of which casts a shadow.
 Lit lit_traditional(Surface s, vec3 v) {
     Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     PhongMaterial m = traditional_material(s);
     lit.diffuse_ambient = ambient_radiance * m.diffuse * s.occlusion;
-    float key = key_shadow < 0 ? 1.0
-                               : light_reaching(key_shadow, s.position, s.normal,
-                                                ambient_key_direction, picture_pixel());
-    add_traditional_light(lit, m, s.normal, v, ambient_key_direction, key * ambient_key_irradiance);
+    float reaching = key_shadow < 0 ? 1.0
+                                    : light_reaching(key_shadow, s.position, s.normal,
+                                                     ambient_key_towards[0].xyz, picture_pixel());
+    for (int i = 0; i < ambient_key_count; ++i)
+        add_traditional_light(lit, m, s.normal, v, ambient_key_towards[i].xyz,
+                              (i == 0 ? reaching : 1.0) * ambient_key_irradiance[i].rgb);
     for (int i = 0; i < light_count; ++i) {
         Incident light = incident_light(lamps[i], s.position);
         add_traditional_light(lit, m, s.normal, v, light.direction,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shadows, with edges as soft as the light is wide. Maps of depth as seen from the lights, beside
 // each other in one texture. Laid out in engine/render/shadow_maps.cpp.
-// Constant: SHADOW_COUNT, of the maps. R. Fernando, "Percentage-closer soft shadows", 2005.
+// Constant: SHADOWS, 0 where there are none. R. Fernando, "Percentage-closer soft shadows", 2005.
 
 const int MOST_SHADOWS = 6;
 const int BLOCKER_TAPS = 4;
@@ -20,15 +20,34 @@ uniform vec4 shadow_from_world[4 * MOST_SHADOWS];  // rows: across, up (0 to 1 o
 // lamp metres); texels across; 1: a lamp at a place.
 uniform vec4 shadow_shape[MOST_SHADOWS];
 uniform vec4 shadow_range[MOST_SHADOWS];  // metres at depth 0 and 1
+uniform int shadow_count;                 // of the maps
 uniform float shadow_lamp[MOST_SHADOWS];  // the lamp of a map; -1: none
 uniform int sun_shadow_count;             // suns 0 to this less 1 have the maps of their numbers
-uniform int key_shadow;                   // the map of ambient_key_direction; -1: none
+uniform int key_shadow;                   // the map of the strongest key light of Phong; -1: none
 uniform float shadow_turn;                // of the taps, in turns: another in each draw of many
 
-float shadow_depth(int map, vec2 texel) {
+/// The four texels around a place of a map, which stands between them as much as it is near to each:
+/// a rounding of the place is then one of the light, and not one step of it more or less.
+struct ShadowTexels {
+    vec4 depths;
+    vec4 shares;  // 1 in all
+};
+ShadowTexels shadow_texels(int map, vec2 texel) {
     float side = shadow_shape[map].z;
-    vec2 inside = clamp(texel, vec2(0.0), vec2(side - 0.5));
-    return texelFetch(shadow_maps, ivec2(inside) + ivec2(map * int(side), 0), 0).r;
+    vec2 between = clamp(texel - 0.5, vec2(0.0), vec2(side - 1.0));
+    vec2 low = min(floor(between), vec2(side - 2.0));
+    vec2 high_share = between - low;
+    vec2 corner = low + vec2(float(map) * side + 1.0, 1.0);
+    vec4 depths = textureGather(shadow_maps, corner / vec2(textureSize(shadow_maps, 0)));
+    // As it gathers them: upper left, upper right, lower right, lower left.
+    vec4 across = vec4(1.0 - high_share.x, high_share.x, high_share.x, 1.0 - high_share.x);
+    vec4 up = vec4(high_share.y, high_share.y, 1.0 - high_share.y, 1.0 - high_share.y);
+    return ShadowTexels(depths, across * up);
+}
+
+/// What gets by: all of it where a map is `deepest` or deeper, nothing where it is nearer by `soft`.
+vec4 shadow_passing(vec4 depths, float deepest, float soft) {
+    return clamp((depths - deepest) / soft + 1.0, 0.0, 1.0);
 }
 
 /// The depth in a map of what is so many metres away along its axis, and back.
@@ -66,7 +85,7 @@ float shadow_slope(int map, vec3 normal, vec3 towards) {
 /// How much of a light reaches a point, 0 to 1. `normal` and `towards` are unit, in the world.
 /// Beside a map all of it does.
 float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel) {
-    if (SHADOW_COUNT == 0) return 1.0;
+    if (SHADOWS == 0) return 1.0;
     float texel = 1.0 / shadow_shape[map].z;
     // Off the surface by what one texel hides. w is 1 for a far light.
     float w = dot(shadow_from_world[4 * map + 3], vec4(point, 1.0));
@@ -86,22 +105,30 @@ float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel)
 
     // A lamp amid the scene may have blockers close by, whose edges would be wider than the map.
     float widest = clamp(shadow_edge(map, metres, shadow_range[map].x), texel, 0.125);
-    float deepest = shadow_depth_of(map, metres - slope * widest);
+    // What blocks by less than half a texel is the surface itself.
+    float soft_metres = 0.5 * texel * metres_across;
+    // Nothing is deeper than a map goes, but the floor beside the scene may be.
+    float deepest = min(shadow_depth_of(map, metres - slope * (widest + texel)), 1.0);
+    float soft = deepest - shadow_depth_of(map, metres - slope * (widest + texel) - soft_metres);
     float blockers = 0.0;
     float blocker_depths = 0.0;
     for (int k = 0; k < BLOCKER_TAPS; ++k) {
-        float depth = shadow_depth(map, middle + turned * (widest * DISC[2 * k + 1]));
-        float blocks = step(depth, deepest);
-        blockers += blocks;
-        blocker_depths += blocks * depth;
+        ShadowTexels at_tap = shadow_texels(map, middle + turned * (widest * DISC[2 * k + 1]));
+        vec4 blocks = at_tap.shares * (1.0 - shadow_passing(at_tap.depths, deepest, max(soft, 1e-7)));
+        blockers += dot(blocks, vec4(1.0));
+        blocker_depths += dot(blocks, at_tap.depths);
     }
     // What blocks from nearby is too near for the wide search and has a hard edge.
     float blocker = blockers > 0.0 ? shadow_metres_of(map, blocker_depths / blockers) : metres;
     float edge = clamp(shadow_edge(map, metres, blocker), texel, widest);
-    deepest = shadow_depth_of(map, metres - slope * edge);
+    deepest = min(shadow_depth_of(map, metres - slope * (edge + texel)), 1.0);
+    soft = deepest - shadow_depth_of(map, metres - slope * (edge + texel) - soft_metres);
     float reaching = 0.0;
-    for (int k = 0; k < EDGE_TAPS; ++k)
-        reaching += step(deepest, shadow_depth(map, middle + turned * (edge * DISC[k])));
+    for (int k = 0; k < EDGE_TAPS; ++k) {
+        ShadowTexels at_tap = shadow_texels(map, middle + turned * (edge * DISC[k]));
+        reaching +=
+            dot(at_tap.shares, shadow_passing(at_tap.depths, deepest, max(soft, 1e-7)));
+    }
     vec2 beside = abs(at.xy - 0.5);
     return w <= 0.0 || max(beside.x, beside.y) > 0.5 ? 1.0 : reaching / float(EDGE_TAPS);
 }

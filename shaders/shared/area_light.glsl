@@ -76,41 +76,6 @@ Real share_of_vector(Real3 vector, Real3 normal) {
     return sphere_share(dot(vector, normal) / facing, facing);
 }
 
-// The point of a light that stands for all of it in a highlight: the one nearest to the mirrored
-// eye. Brian Karis, "Real shading in Unreal Engine 4", 2013.
-
-/// Towards that point of a sphere.
-Real3 sphere_nearest(Real3 middle, Real radius, Real3 mirrored) {
-    Real3 off = mirrored * dot(middle, mirrored) - middle;
-    Real distance = sqrt(max(dot(off, off), 1e-24f));
-    return normalize(middle + off * min(radius / distance, 1.0f));
-}
-
-/// Towards that point of a rectangle.
-Real3 rectangle_nearest(SeenRectangle r, Real3 mirrored) {
-    Real facing = -dot(mirrored, r.shines);
-    Real depth = -dot(r.middle, r.shines);
-    // A ray that never meets the plane tends to its far end.
-    Real steps = depth / max(facing, 1e-4f);
-    Real3 off = mirrored * steps - r.middle;
-    Real x = clamp(dot(off, r.across), -r.half_width, r.half_width);
-    Real y = clamp(dot(off, r.up), -r.half_height, r.half_height);
-    return normalize(r.middle + r.across * x + r.up * y);
-}
-
-/// What the highlight at that point is multiplied by. facing: the share that the light gives a
-/// surface that faces it; aspect: its width / height. Exact where GGX is mirrored by the middle of a
-/// disc, and a light that covers the whole lobe shows its own radiance:
-/// of GGX, s / (s + alpha^2) lies within the half vectors of a disc of share 4 s.
-Real nearest_weight(Real alpha, Real facing, Real aspect) {
-    Real alpha2 = alpha * alpha;
-    Real wide = 0.25f * facing * aspect;
-    Real high = 0.25f * facing / aspect;
-    return alpha2 * inversesqrt((alpha2 + wide) * (alpha2 + high));
-}
-
-// Drawing directions towards them, with a density per steradian.
-
 /// Two unit vectors across z, which make a right-handed frame with it. T. Duff and others, "Building
 /// an orthonormal basis, revisited", 2017.
 struct Across {
@@ -132,6 +97,154 @@ Real cone_height(Real sine2) {
     Real s2 = clamp(sine2, 1e-12f, 1.0f);
     return s2 / (1.0f + sqrt(1.0f - s2));
 }
+
+// What they show in a highlight. A half vector h has the slope h.xy / h.z in the frame of the normal.
+// Over the plane of slopes GGX lies as a cosine lobe seen from alpha above its middle lies over any
+// plane: what of the lobe mirrors a light is what Lambert's formula gives for the light's slopes.
+// After Eric Heitz, Jonathan Dupuy, Stephen Hill and David Neubelt, "Real-time polygonal-light shading
+// with linearly transformed cosines", 2016, with the half vectors of the lobe in place of a table.
+
+/// The part of a lobe that mirrors a light, and the slope of the half vectors that stand for it.
+struct Highlight {
+    Real share;  // of the lobe, 0..1
+    Real2 slope;
+};
+
+/// The slope of the half vector between v and l, in a frame about the normal n. What is below the
+/// horizon counts as on it.
+Real2 half_slope(Real3 l, Real3 v, Real3 n, Across frame) {
+    Real3 above = l - n * min(dot(l, n), 0.0f);
+    Real3 h = v + above * inversesqrt(max(dot(above, above), 1e-12f));
+    Real rise = max(dot(h, n), 1e-3f);
+    return Real2(dot(h, frame.x_axis) / rise, dot(h, frame.y_axis) / rise);
+}
+
+/// Of a light that fills a disc of slopes. area: of the disc.
+Highlight disc_highlight(Real2 middle, Real area, Real alpha) {
+    Real a2 = alpha * alpha;
+    Real aside = sqrt(max(dot(middle, middle), 1e-12f));
+    Real radius2 = area * (1.0f / PI);
+    Real radius = sqrt(radius2);
+    // A circle of the plane is one of the sphere that the plane is projected from: its share is that
+    // of a cap.
+    Real q = a2 + aside * aside - radius2;
+    Real r = sqrt(q * q + 4.0f * radius2 * a2);
+    Highlight highlight;
+    highlight.share = select(q > 0.0f, 2.0f * radius2 * a2 / max(r * (r + max(q, 0.0f)), 1e-20f),
+                             0.5f * (r - q) / max(r, 1e-20f));
+    // The middle of the cap: half way between the angles of its ends.
+    Real low = aside - radius;
+    Real high = aside + radius;
+    Real by_low = inversesqrt(a2 + low * low);
+    Real by_high = inversesqrt(a2 + high * high);
+    highlight.slope =
+        middle * ((low * by_low + high * by_high) / ((by_low + by_high) * aside));
+    return highlight;
+}
+
+/// Of a light with corners of these slopes, one after the other.
+Highlight quad_highlight(Real2 a, Real2 b, Real2 c, Real2 d, Real alpha) {
+    Real3 p = normalize(Real3(a.x, a.y, alpha));
+    Real3 q = normalize(Real3(b.x, b.y, alpha));
+    Real3 r = normalize(Real3(c.x, c.y, alpha));
+    Real3 s = normalize(Real3(d.x, d.y, alpha));
+    Real3 edges =
+        edge_irradiance(p, q) + edge_irradiance(q, r) + edge_irradiance(r, s) + edge_irradiance(s, p);
+    // Where it is small and the edges cancel, it is a point.
+    Real2 middle = (a + b + c + d) * 0.25f;
+    Real2 ac = c - a;
+    Real2 bd = d - b;
+    Real area = 0.5f * abs(ac.x * bd.y - ac.y * bd.x);
+    Real distance2 = alpha * alpha + dot(middle, middle);
+    Bool is_small = area < 1e-3f * distance2;
+    Real upright = select(edges.z < 0.0f, min(edges.z, -1e-12f), max(edges.z, 1e-12f));
+    Highlight highlight;
+    highlight.share = select(is_small, area * alpha * alpha / (PI * distance2 * distance2),
+                             abs(edges.z) * (0.5f / PI));
+    highlight.slope =
+        select(is_small, middle, Real2(edges.x * alpha / upright, edges.y * alpha / upright));
+    return highlight;
+}
+
+/// Of a sphere, as the disc whose slopes are as many, of what of it is above the horizon.
+Highlight sphere_highlight(Real3 towards, Real sine2, Real3 v, Real3 n, Real alpha) {
+    Real cosine = dot(towards, n);
+    Real sine = sqrt(max(sine2, 1e-12f));
+    // The share of a disc above a line, as a smooth step.
+    Real raised = clamp(0.5f + 0.5f * cosine / sine, 0.0f, 1.0f);
+    Real seen = raised * raised * (3.0f - 2.0f * raised);
+    Real height = 0.5f * (max(cosine - sine, 0.0f) + max(cosine + sine, 0.0f));
+    Real3 middle = normalize(towards + n * (height - cosine));
+    Real3 h = normalize(v + middle);
+    Real rise = max(dot(h, n), 0.05f);
+    Real solid_angle = 2.0f * PI * cone_height(sine2);
+    Real area = seen * solid_angle / (4.0f * max(dot(v, h), 0.05f) * rise * rise * rise);
+    return disc_highlight(half_slope(middle, v, n, across_of(n)), area, alpha);
+}
+
+/// A corner of a rectangle, or where the edges that lead to it cross the horizon when it is below.
+Real3 corner_above(Real3 corner, Real3 before, Real3 after, Real3 n) {
+    Real height = dot(corner, n);
+    Real height_before = max(dot(before, n), 0.0f);
+    Real height_after = max(dot(after, n), 0.0f);
+    Real3 on_before = corner + (before - corner) * (-height / max(height_before - height, 1e-6f));
+    Real3 on_after = corner + (after - corner) * (-height / max(height_after - height, 1e-6f));
+    Real both = height_before + height_after;
+    Real3 crossing =
+        (on_before * height_before + on_after * height_after) * (1.0f / max(both, 1e-6f));
+    return select(height < 0.0f, select(both > 0.0f, crossing, corner), corner);
+}
+
+/// Of a rectangle, as the quadrilateral of its corners' slopes.
+Highlight rectangle_highlight(SeenRectangle r, Real3 v, Real3 n, Real alpha) {
+    Across frame = across_of(n);
+    Real3 x = r.across * r.half_width;
+    Real3 y = r.up * r.half_height;
+    Real3 a = r.middle - x - y;
+    Real3 b = r.middle + x - y;
+    Real3 c = r.middle + x + y;
+    Real3 d = r.middle - x + y;
+    Real3 p = corner_above(a, d, b, n);
+    Real3 q = corner_above(b, a, c, n);
+    Real3 s = corner_above(c, b, d, n);
+    Real3 t = corner_above(d, c, a, n);
+    // One whose neighbours are below too has no edge above.
+    Real least = -1e-4f * dot(r.middle, r.middle);
+    p = select(dot(p, n) < least, (q + t) * 0.5f, p);
+    q = select(dot(q, n) < least, (p + s) * 0.5f, q);
+    s = select(dot(s, n) < least, (q + t) * 0.5f, s);
+    t = select(dot(t, n) < least, (p + s) * 0.5f, t);
+    Highlight highlight = quad_highlight(
+        half_slope(normalize(p), v, n, frame), half_slope(normalize(q), v, n, frame),
+        half_slope(normalize(s), v, n, frame), half_slope(normalize(t), v, n, frame), alpha);
+    Real highest = max(max(dot(a, n), dot(b, n)), max(dot(c, n), dot(d, n)));
+    highlight.share = select(highest > 0.0f, highlight.share, Real(0.0f));
+    return highlight;
+}
+
+/// Towards the point of the light that stands for it.
+Real3 highlight_direction(Highlight highlight, Real3 v, Real3 n) {
+    Across frame = across_of(n);
+    Real3 h =
+        normalize(n + frame.x_axis * highlight.slope.x + frame.y_axis * highlight.slope.y);
+    return reflect(-v, h);
+}
+
+/// What a surface mirrors of a light of radiance 1, the other terms being those of one direction. Of
+/// distributions but GGX the share is that of GGX times how they compare there.
+Real3 brdf_of_highlight(BrdfTerms terms, ReflectionAngles angles, Real share, Real3 f0, Real f90,
+                        Real roughness) {
+    Real alpha = alpha_from_roughness(roughness);
+    Real compared = 1.0f;
+    if (terms.distribution != DISTRIBUTION_GGX)
+        compared = distribution(terms.distribution, angles.n_dot_h, alpha) /
+                   distribution_ggx(angles.n_dot_h, alpha);
+    Real weight = 4.0f * angles.n_dot_l * angles.v_dot_h / max(angles.n_dot_h, 1e-3f) *
+                  visibility(terms.geometry, angles.n_dot_l, angles.n_dot_v, alpha);
+    return fresnel(terms.fresnel, angles.v_dot_h, f0, f90) * (share * compared * weight);
+}
+
+// Drawing directions towards them, with a density per steradian.
 
 /// A direction towards a sphere, for u of the unit square; each as likely.
 Real3 sphere_direction(Real2 u, Real3 towards, Real sine2) {
@@ -210,10 +323,14 @@ const float LEAST_SPHERICAL = 0.01f;
 Bool is_drawn_by_area(SeenRectangle r) {
     return 4.0f * r.half_width * r.half_height < LEAST_SPHERICAL * dot(r.middle, r.middle);
 }
-/// A direction towards a point of a rectangle, for u of the unit square; each point as likely.
+/// A point of a rectangle, for u of the unit square; each as likely.
+Real3 rectangle_point(Real2 u, SeenRectangle r) {
+    return r.middle + r.across * ((2.0f * u.x - 1.0f) * r.half_width) +
+           r.up * ((2.0f * u.y - 1.0f) * r.half_height);
+}
+/// The direction towards it.
 Real3 rectangle_point_direction(Real2 u, SeenRectangle r) {
-    return normalize(r.middle + r.across * ((2.0f * u.x - 1.0f) * r.half_width) +
-                     r.up * ((2.0f * u.y - 1.0f) * r.half_height));
+    return normalize(rectangle_point(u, r));
 }
 /// Per steradian, of a direction that meets the rectangle's front.
 Real rectangle_point_density(Real3 direction, SeenRectangle r) {

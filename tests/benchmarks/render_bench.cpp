@@ -150,6 +150,31 @@ BENCHMARK_CAPTURE(lights, forward, RenderPath::Forward)
     ->Range(1, kMaxLights)
     ->Unit(benchmark::kMillisecond);
 
+/// A model whose lamps cast shadows: drawn once and kept (`shadows/kept`), as while the camera
+/// moves, or drawn anew in every frame (`shadows/moving`), as while a lamp moves.
+void shadows(benchmark::State& run, bool cast, float lamp_step) {
+    const gl::HeadlessContext context = headless();
+    Renderer renderer = ready_renderer();
+    View view = view_of(renderer.bounds_world());
+    view.shadows = cast;
+    view.lights = ring_of_lights(renderer.bounds_world(), 2);
+    for (auto _ : run) {
+        view.camera = orbited(view.camera, 1.0f, 0.0f);
+        for (Light& light : view.lights) light.position_world.y += lamp_step;
+        benchmark::DoNotOptimize(value_or_exit(renderer.draw(view, kSize)));
+        glFinish();
+    }
+}
+BENCHMARK_CAPTURE(shadows, none, false, 0.0f)
+    ->Name("shadows/none/1280x720")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shadows, kept, true, 0.0f)
+    ->Name("shadows/kept/1280x720")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(shadows, moving, true, 1e-5f)
+    ->Name("shadows/moving/1280x720")
+    ->Unit(benchmark::kMillisecond);
+
 void filter(benchmark::State& run, FilterQuality quality) {
     for (auto _ : run)
         benchmark::DoNotOptimize(value_or_exit(filter_environment(studio_map(), quality)));

@@ -12,6 +12,7 @@
 #undef SHARED_ENVIRONMENT_GLSL
 #undef SHARED_HEAT_MAP_GLSL
 #undef SHARED_HEIGHT_GLSL
+#undef SHARED_LAMP_GLSL
 #undef SHARED_MASK_GLSL
 #undef SHARED_NEIGHBOURHOOD_GLSL
 #undef SHARED_NOISE_GLSL
@@ -33,6 +34,7 @@
 #include "shared/environment.glsl"
 #include "shared/heat_map.glsl"
 #include "shared/height.glsl"
+#include "shared/lamp.glsl"
 #include "shared/mask.glsl"
 #include "shared/neighbourhood.glsl"
 #include "shared/noise.glsl"

@@ -162,8 +162,7 @@ TEST_F(AreaLightTest, OneDrawIsNearTheIntegral) {
             const double error = error_of(light, material, 1);
             std::printf("%-10s metalness %.0f roughness %.1f: %.4f\n", light.name.c_str(),
                         double{material.metalness}, double{material.roughness}, error);
-            // The nearest point weighs the tail of a lobe too low: metals show it.
-            EXPECT_LT(error, material.metalness > 0.5f ? 0.46 : 0.1)
+            EXPECT_LT(error, material.metalness > 0.5f ? 0.04 : 0.1)
                 << light.name << " " << material.metalness << " " << material.roughness;
         }
 }

@@ -53,8 +53,7 @@ void expect_equal(const FilteredEnvironment& a, const FilteredEnvironment& b) {
         EXPECT_EQ(a.suns[i].radius_radians, b.suns[i].radius_radians);
     }
     EXPECT_EQ(a.ambient_linear, b.ambient_linear);
-    EXPECT_EQ(a.key_direction_world, b.key_direction_world);
-    EXPECT_EQ(a.key_irradiance_linear, b.key_irradiance_linear);
+    EXPECT_EQ(a.keys, b.keys);
 }
 
 /// A dark room with one lamp, which is taken out as a sun.

@@ -61,7 +61,7 @@ TEST(Environment, UniformLightStaysAsItIsAtEveryRoughness) {
             EXPECT_NEAR(texel.z, 2.0f, 1e-2f);
         }
     EXPECT_NEAR(texel_of(filtered.diffuse, 0, 2, 3, 3).y, 0.5f, 5e-3f);
-    EXPECT_NEAR(filtered.ambient_linear.y + filtered.key_irradiance_linear.y, 0.5f, 5e-3f);
+    EXPECT_NEAR(filtered.ambient_linear.y + filtered.keys[0].irradiance_linear.y, 0.5f, 5e-3f);
 }
 
 TEST(Environment, TheCentreColumnLiesTowardsPlusXAndTheTopRowTowardsPlusY) {
@@ -91,7 +91,38 @@ TEST(Environment, IrradianceOfASmallLightIsItsPowerTimesTheCosine) {
     const double facing = texel_of(filtered.diffuse, 0, 2, middle, middle).x;
     EXPECT_NEAR(facing / (500.0 * cap / kPi), 1.0, 0.01);
     EXPECT_LT(texel_of(filtered.diffuse, 0, 3, middle, middle).x, 1e-3f) << "no ringing below";
-    EXPECT_NEAR(filtered.key_direction_world.y, -1.0f, 1e-2f);
+    EXPECT_NEAR(filtered.keys[0].direction_world.y, -1.0f, 1e-2f);
+}
+
+TEST(Environment, ItsStrongestLightsAreThoseOfTheTraditionalModelsAndKeepTheEnergy) {
+    Image map = uniform_map(128, glm::vec3(0.2f));
+    const auto add = [&](int middle, float radiance) {
+        for (int y = 24; y < 32; ++y)
+            for (int x = middle - 4; x < middle + 4; ++x) set_texel(map, x, y, glm::vec3(radiance));
+    };
+    add(20, 10.0f);
+    add(60, 30.0f);
+    add(100, 20.0f);
+    const FilteredEnvironment filtered = value_of(filter_environment(map, FilterQuality::First));
+    ASSERT_EQ(filtered.keys.size(), 3u);
+    const auto towards = [](int x) {
+        const double angle = 2.0 * kPi * (x / 128.0 - 0.5);
+        return glm::vec3(std::cos(angle), 0.0, std::sin(angle));
+    };
+    const std::array<int, 3> order = {60, 100, 20};
+    double power = 4.0 * kPi * double{filtered.ambient_linear.g};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const glm::vec3 level =
+            glm::normalize(-filtered.keys[i].direction_world * glm::vec3(1.0f, 0.0f, 1.0f));
+        EXPECT_GT(glm::dot(level, towards(order[i])), 0.99f) << i;
+        EXPECT_LT(filtered.keys[i].direction_world.y, 0.0f) << i;
+        power += double{filtered.keys[i].irradiance_linear.g};
+    }
+    double expected = 4.0 * kPi * 0.2;
+    for (int y = 24; y < 32; ++y)
+        expected += (9.8 + 29.8 + 19.8) * 8.0 * 2.0 * kPi / 128.0 *
+                    (std::cos(kPi * y / 64.0) - std::cos(kPi * (y + 1) / 64.0));
+    EXPECT_NEAR(power / expected, 1.0, 0.02);
 }
 
 TEST(Environment, PeaksBeyondHalfFloatsStayFiniteAndKeepTheirPower) {

@@ -144,9 +144,6 @@ TEST_F(ForwardTest, BothPathsDrawTheSamePictureOverEveryBackground) {
 }
 
 TEST_F(ForwardTest, BothPathsDrawTheSamePictureOfSmoothAndRoughMetal) {
-    // A place is rebuilt from depth in one path: rounding may turn one of the eight steps of a
-    // shadow's edge, which is more than the shading differs by.
-    view_.shadows = false;
     for (const float roughness : {0.1f, 0.2f, 0.5f, 1.0f}) {
         SurfaceMaterial solid = constant_surface({0.8f, 0.5f, 0.3f}, 1.0f, roughness);
         solid[Slot::Normal].texture.pixels = waves();

@@ -226,29 +226,88 @@ TEST(AreaLight, TheSolidAngleOfARectangleIsThatOfItsTwoTriangles) {
     }
 }
 
-TEST(AreaLight, AHighlightInTheMiddleOfADiscHasTheShareOfGgxThatLiesWithinIt) {
-    // n, v and the middle are one; the half vectors of a disc of share s fill one of share s / 4.
-    for (const float alpha : {0.01f, 0.1f, 0.5f})
-        for (const float share : {0.0001f, 0.01f, 0.2f}) {
-            const double within =
-                0.25 * double{share} / (0.25 * double{share} + double{alpha} * double{alpha});
-            const double point =
-                double{share} * kPi * double{formulae::distribution_ggx(1.0f, alpha)} / 4.0;
-            EXPECT_NEAR(point * double{formulae::nearest_weight(alpha, share, 1.0f)}, within,
-                        1e-3 * within);
+/// The share of GGX's slopes that a part of their plane holds: `inside` says what is of it.
+template <typename Inside>
+double share_of_slopes(double alpha, const Inside& inside) {
+    constexpr int kSide = 2000;
+    constexpr double kReach = 4.0;
+    double sum = 0.0;
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const double x = kReach * ((2.0 * i + 1.0) / kSide - 1.0);
+            const double y = kReach * ((2.0 * j + 1.0) / kSide - 1.0);
+            if (!inside(x, y)) continue;
+            const double divisor = alpha * alpha + x * x + y * y;
+            sum += alpha * alpha / (kPi * divisor * divisor);
+        }
+    return sum * 4.0 * kReach * kReach / (double{kSide} * kSide);
+}
+
+TEST(AreaLight, ADiscOfSlopesHoldsTheShareOfGgxThatLiesInIt) {
+    for (const double alpha : {0.1, 0.5, 1.0})
+        for (const double radius : {0.2, 0.8})
+            for (const double aside : {0.0, 0.5, 1.5}) {
+                const double expected = share_of_slopes(alpha, [&](double x, double y) {
+                    return (x - aside) * (x - aside) + y * y < radius * radius;
+                });
+                const formulae::Highlight highlight = formulae::disc_highlight(
+                    Real2(static_cast<float>(aside), 0.0f),
+                    static_cast<float>(kPi * radius * radius), static_cast<float>(alpha));
+                EXPECT_NEAR(highlight.share, expected, 2e-3 * expected + 2e-5)
+                    << alpha << " " << radius << " " << aside;
+                EXPECT_LE(std::abs(static_cast<double>(highlight.slope.x) - aside), radius);
+                EXPECT_LE(double{highlight.slope.x}, aside + 1e-6);
+            }
+}
+
+TEST(AreaLight, AQuadrilateralOfSlopesHoldsTheShareOfGgxThatLiesInIt) {
+    for (const double alpha : {0.1, 0.5, 1.0})
+        for (const double aside : {0.0, 0.4, 1.5}) {
+            const auto corner = [aside](double x, double y) {
+                return Real2(static_cast<float>(aside + x), static_cast<float>(y));
+            };
+            const formulae::Highlight highlight =
+                formulae::quad_highlight(corner(-0.5, -0.3), corner(0.5, -0.3), corner(0.5, 0.3),
+                                         corner(-0.5, 0.3), static_cast<float>(alpha));
+            const double expected = share_of_slopes(alpha, [&](double x, double y) {
+                return std::abs(x - aside) < 0.5 && std::abs(y) < 0.3;
+            });
+            EXPECT_NEAR(highlight.share, expected, 3e-3 * expected + 2e-5) << alpha << " " << aside;
         }
 }
 
-TEST(AreaLight, TheNearestPointOfALightIsTheMirroredDirectionWhereThatMeetsIt) {
-    const SeenRectangle r = some_rectangles()[1];
-    const Real3 inside = formulae::normalize(r.middle + r.across * (0.5f * r.half_width));
-    EXPECT_NEAR(formulae::dot(formulae::rectangle_nearest(r, inside), inside), 1.0f, 1e-6f);
-    const Real3 outside = formulae::normalize(r.middle + r.across * (3.0f * r.half_width));
-    const Real3 edge = formulae::normalize(r.middle + r.across * r.half_width);
-    EXPECT_NEAR(formulae::dot(formulae::rectangle_nearest(r, outside), edge), 1.0f, 1e-6f);
-    const Real3 middle(0.0f, 0.0f, 2.0f);
-    const Real3 near = formulae::normalize(Real3(0.1f, 0.0f, 1.0f));
-    EXPECT_NEAR(formulae::dot(formulae::sphere_nearest(middle, 0.5f, near), near), 1.0f, 1e-6f);
+TEST(AreaLight, AHighlightOfASmallLightIsThatOfAPoint) {
+    const Real3 n = real3(glm::normalize(glm::dvec3(0.1, 0.9, 0.2)));
+    const Real3 v = real3(glm::normalize(glm::dvec3(0.5, 0.6, 0.3)));
+    for (const float roughness : {0.3f, 0.7f})
+        for (const int distribution :
+             {formulae::DISTRIBUTION_GGX, formulae::DISTRIBUTION_BECKMANN}) {
+            const SeenRectangle r =
+                rectangle({-1.0, 2.0, 0.5}, {0.5, -1.0, 0.0}, 0.3, 0.004, 0.002);
+            const formulae::BrdfTerms terms{distribution, formulae::GEOMETRY_SMITH_SEPARABLE,
+                                            formulae::FRESNEL_SCHLICK, formulae::DIFFUSE_LAMBERT};
+            const Real3 l = formulae::normalize(r.middle);
+            const float alpha = formulae::alpha_from_roughness(roughness);
+            const auto shown = [&](const formulae::Highlight& highlight) {
+                const auto angles = formulae::reflection_angles(
+                    n, v, formulae::highlight_direction(highlight, v, n));
+                return formulae::brdf_of_highlight(terms, angles, highlight.share, Real3(0.5f),
+                                                   1.0f, roughness)
+                    .x;
+            };
+            const auto angles = formulae::reflection_angles(n, v, l);
+            const float point =
+                formulae::brdf_specular(terms, angles, Real3(0.5f), 1.0f, roughness).x *
+                angles.n_dot_l;
+            const float facing =
+                static_cast<float>(kPi) * formulae::length(formulae::rectangle_irradiance(r));
+            EXPECT_NEAR(shown(formulae::rectangle_highlight(r, v, n, alpha)) / (point * facing),
+                        1.0f, 5e-3f);
+            const float sine2 = 1e-6f;
+            EXPECT_NEAR(shown(formulae::sphere_highlight(l, sine2, v, n, alpha)) /
+                            (point * static_cast<float>(kPi) * sine2),
+                        1.0f, 5e-3f);
+        }
 }
 
 TEST(AreaLight, TheFrameAcrossADirectionIsUnitRightHandedAndSquare) {

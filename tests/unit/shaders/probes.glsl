@@ -15,6 +15,7 @@
 #include "shared/environment.glsl"
 #include "shared/heat_map.glsl"
 #include "shared/height.glsl"
+#include "shared/lamp.glsl"
 #include "shared/mask.glsl"
 #include "shared/neighbourhood.glsl"
 #include "shared/noise.glsl"
@@ -284,16 +285,28 @@ Real4 probe_area_light(int which, Real4 a, Real4 b) {
     if (which == 0)
         return Real4(sphere_share(1.8f * a.x - 0.9f, 0.05f + 0.7f * a.y),
                      share_of_vector(rectangle_irradiance(r), probe_normal(b)),
-                     nearest_weight(0.1f + a.z, 0.5f * b.x, 0.5f + b.y), sphere_density(0.1f + a.w));
+                     sphere_density(0.1f + a.w), 0.0f);
     if (which == 1)
         return Real4(rectangle_direction(Real2(0.05f + 0.9f * a.w, 0.05f + 0.9f * a.x), r),
                      rectangle_density(towards, r));
     if (which == 2)
         return Real4(sphere_direction(Real2(a.w, b.x), towards, 0.1f + 0.8f * b.y),
                      sphere_is_met(towards, r.middle, Real(0.1f)) + 2.0f * rectangle_is_met(towards, r));
-    Real3 mirrored = probe_normal(b);
-    return Real4(sphere_nearest(r.middle, 0.1f + 0.5f * a.w, mirrored),
-                 rectangle_nearest(r, mirrored).y);
+    Real3 normal = probe_normal(a);
+    Real3 v = probe_normal(b);
+    Real roughness = 0.4f + 0.6f * a.w;
+    Real alpha = alpha_from_roughness(roughness);
+    Highlight sphere = sphere_highlight(towards, 0.1f + 0.8f * b.y, v, normal, alpha);
+    Highlight rectangle = rectangle_highlight(r, v, normal, alpha);
+    BrdfTerms terms;
+    terms.distribution = DISTRIBUTION_BECKMANN;
+    terms.geometry = GEOMETRY_SMITH_SEPARABLE;
+    terms.fresnel = FRESNEL_SCHLICK;
+    terms.diffuse = DIFFUSE_LAMBERT;
+    ReflectionAngles angles =
+        reflection_angles(normal, v, highlight_direction(rectangle, v, normal));
+    return Real4(sphere.share, sphere.slope.x + sphere.slope.y, rectangle.share,
+                 brdf_of_highlight(terms, angles, sphere.share, Real3(0.5f), Real(1.0f), roughness).x);
 }
 
 Real4 probe_ambient(int which, Real4 a, Real4 b) {
@@ -325,6 +338,13 @@ Real4 probe_projection(Real4 a, Real4 b) {
     return Real4(weights.x + 2.0f * weights.y, place.x, place.y, lean.x + 8.0f * (lean.y + lean.z));
 }
 
+Real4 probe_lamp(Real4 a, Real4 b) {
+    Real3 place = rectangle_point(Real2(a.x, b.x), probe_rectangle(b, a));
+    return Real4(range_window(4.0f * a.y, b.y) + range_window(a.y, Real(0.0f)),
+                 cone_window(2.0f * a.z - 1.0f, 1.0f + 4.0f * b.z, b.w - 1.0f),
+                 place.x + place.y, place.z);
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -342,6 +362,7 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 55) return probe_area_light(which - 51, a, b);
     if (which < 57) return probe_ambient(which - 55, a, b);
     if (which == 57) return probe_projection(a, b);
+    if (which == 58) return probe_lamp(a, b);
     return Real4(-1.0f);
 }
 

@@ -69,13 +69,14 @@ inline constexpr Probe kProbes[] = {
     {"height_share", 2e-5f},
     {"blur_weight, sharpened, warp_direction", 1e-5f},
     {"relief_value", 2e-6f},
-    {"sphere_share, share_of_vector, nearest_weight, sphere_density", 1e-4f},
+    {"sphere_share, share_of_vector, sphere_density", 1e-4f},
     {"rectangle_direction, rectangle_density", 1e-3f},
     {"sphere_direction, sphere_is_met, rectangle_is_met", 1e-5f},
-    {"sphere_nearest, rectangle_nearest", 1e-4f},
+    {"sphere_highlight, rectangle_highlight, brdf_of_highlight", 1e-3f},
     {"mirrored_share, horizon_share, diffuse_sample", 1e-4f},
     {"split_sum_sample of other terms", 3e-4f},
     {"projection_weights, projected_place, projected_lean", 1e-5f},
+    {"range_window, cone_window, rectangle_point", 1e-5f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 
