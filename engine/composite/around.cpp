@@ -398,8 +398,8 @@ class WarpedReader {
             const float part_x = right_[i] - whole_x, part_y = down_[i] - whole_y;
             const int x0 = wrapped(task_.span.x + i + static_cast<int>(whole_x), size);
             const int x1 = x0 + 1 == size ? 0 : x0 + 1;
-            const auto row =
-                static_cast<std::size_t>(task_.planes->reach() + static_cast<int>(whole_y));
+            const int down = task_.planes->reach() + static_cast<int>(whole_y);
+            const auto row = static_cast<std::size_t>(down);
             const float* const above = rows[row];
             const float* const below = rows[row + 1];
             to[i] = formulae::mix(formulae::mix(above[x0], above[x1], part_x),
