@@ -49,6 +49,7 @@ constexpr std::array kBindings = {
     Binding{GLFW_KEY_RIGHT_BRACKET, false, false, false, Action::BrighterExposure},
     Binding{GLFW_KEY_LEFT_BRACKET, false, false, false, Action::DarkerExposure},
     Binding{GLFW_KEY_F, false, false, false, Action::FrameModel},
+    Binding{GLFW_KEY_F, false, true, false, Action::FrameMaterial},
     Binding{GLFW_KEY_I, false, false, false, Action::ProbeTool},
     Binding{GLFW_KEY_U, false, false, false, Action::ShowUv},
     Binding{GLFW_KEY_W, false, false, false, Action::ShowWires},

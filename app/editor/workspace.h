@@ -57,6 +57,8 @@ class Workspace {
     void perform_file(Action action);
     void perform_layer(Action action);
     void perform_view(Action action);
+    void frame(const Bounds& bounds);
+    void look_from(render::ViewDirection direction);
     void add_layer_and_select(const Layer& layer);
     void add_material_and_select(const Edit& edit);
     void assign_material_at(const AssignMaterialAt& request);

@@ -8,6 +8,18 @@
 
 namespace patina::editor {
 
+void Workspace::frame(const Bounds& bounds) {
+    if (!session_->has_document()) return;
+    view_.view.camera =
+        render::framed_from(view_.view.camera, bounds, session_->view_aspect(view_));
+}
+
+void Workspace::look_from(render::ViewDirection direction) {
+    if (!session_->has_document()) return;
+    view_.view.camera = render::framed_from_direction(view_.view.camera, session_->bounds(),
+                                                      session_->view_aspect(view_), direction);
+}
+
 void Workspace::perform_view(Action action) {
     render::View& view = view_.view;
     const auto step_channel = [&view](int step) {
@@ -55,8 +67,25 @@ void Workspace::perform_view(Action action) {
             view.exposure_ev = std::max(view.exposure_ev - 1.0f / 3.0f, -6.0f);
             return;
         case Action::FrameModel:
-            if (session_->has_document())
-                view.camera = render::framed_from(view.camera, session_->bounds(), 1.6f);
+            return frame(session_->bounds());
+        case Action::FrameMaterial:
+            return frame(session_->bounds_of_material(view_));
+        case Action::LookFromThreeQuarter:
+            return look_from(render::ViewDirection::ThreeQuarter);
+        case Action::LookFromFront:
+            return look_from(render::ViewDirection::Front);
+        case Action::LookFromBack:
+            return look_from(render::ViewDirection::Back);
+        case Action::LookFromLeft:
+            return look_from(render::ViewDirection::Left);
+        case Action::LookFromRight:
+            return look_from(render::ViewDirection::Right);
+        case Action::LookFromTop:
+            return look_from(render::ViewDirection::Top);
+        case Action::LookFromBottom:
+            return look_from(render::ViewDirection::Bottom);
+        case Action::Orthographic:
+            view.camera = render::with_other_projection(view.camera);
             return;
         case Action::ProbeTool:
             view_.tool =

@@ -106,6 +106,33 @@ Camera framed(const Bounds& bounds, float aspect, ViewDirection direction, float
     return framed_from(camera, bounds, aspect);
 }
 
+Camera framed_from_direction(const Camera& camera, const Bounds& bounds, float aspect,
+                             ViewDirection direction) {
+    Camera turned = framed(bounds, aspect, direction, camera.fov_y_degrees);
+    turned.orthographic_height = camera.orthographic_height;
+    return framed_from(turned, bounds, aspect);
+}
+
+Camera with_fov(const Camera& camera, float fov_y_degrees) {
+    Camera result = camera;
+    result.fov_y_degrees = fov_y_degrees;
+    const float nearer = tangent_of_half_fov(camera) / tangent_of_half_fov(result);
+    result.position = camera.target + (camera.position - camera.target) * nearer;
+    return result;
+}
+
+Camera with_other_projection(const Camera& camera) {
+    Camera result = camera;
+    if (camera.orthographic_height == 0.0f) {
+        result.orthographic_height = height_at_target(camera);
+        return result;
+    }
+    result.orthographic_height = 0.0f;
+    const float farther = camera.orthographic_height / height_at_target(result);
+    result.position = camera.target + (camera.position - camera.target) * farther;
+    return result;
+}
+
 Camera camera_of(const SceneCamera& camera, const Bounds& bounds) {
     Camera result;
     result.position = glm::vec3(camera.world_from_camera[3]);

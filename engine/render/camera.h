@@ -29,6 +29,13 @@ Camera framed(const Bounds& bounds, float aspect,
               ViewDirection direction = ViewDirection::ThreeQuarter, float fov_y_degrees = 30.0f);
 /// The same direction and field of view, moved so that `bounds` fill the view again.
 Camera framed_from(const Camera& camera, const Bounds& bounds, float aspect);
+/// The same field of view or orthographic, from that direction, with `bounds` filling the view.
+Camera framed_from_direction(const Camera& camera, const Bounds& bounds, float aspect,
+                             ViewDirection direction);
+/// Another field of view from as far away as shows the target at the same size.
+Camera with_fov(const Camera& camera, float fov_y_degrees);
+/// Orthographic where it was in perspective and the other way, with the target at the same size.
+Camera with_other_projection(const Camera& camera);
 /// A camera that stands where one of the file stands; it orbits around the middle of `bounds`.
 Camera camera_of(const SceneCamera& camera, const Bounds& bounds);
 

@@ -14,14 +14,11 @@
 namespace patina::editor {
 namespace {
 
-constexpr std::array<std::string_view, 6> kMenus = {"File",     "Edit", "Layer",
-                                                    "Material", "View", "Help"};
-
 std::vector<const ActionInfo*> found(const std::string& search) {
     std::vector<const ActionInfo*> result;
     for (const ActionInfo& row : actions())
         if (row.action != Action::FindAction &&
-            name_matches(std::string(kMenus[static_cast<std::size_t>(row.menu)]) + " " +
+            name_matches(std::string(kMenuNames[static_cast<std::size_t>(row.menu)]) + " " +
                              std::string(row.label),
                          search))
             result.push_back(&row);

@@ -9,9 +9,6 @@
 namespace patina::editor {
 namespace {
 
-constexpr std::array<std::string_view, 6> kMenuNames = {"File",     "Edit", "Layer",
-                                                        "Material", "View", "Help"};
-
 /// Patina on copper: the mark of the program, 22 px.
 void draw_mark(const Ui& ui, const Rect& rect) {
     const float x = rect.x0 + ui.px(11);
@@ -54,7 +51,7 @@ Requests draw_menu(Ui& ui, Menu menu, const Shown& shown) {
 /// Menu titles; with one open, moving over another opens that.
 Requests draw_menus(Ui& ui, Rect& rest, const Shown& shown) {
     Requests requests;
-    for (std::size_t i = 0; i < kMenuNames.size(); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(kBarMenuCount); ++i) {
         const std::string_view name = kMenuNames[i];
         const float width = std::ceil(text_width(ui.fonts.body13, name)) + ui.px(16);
         const Rect title = rest.cut_left(width).centered(width, ui.px(26));

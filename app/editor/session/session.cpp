@@ -7,13 +7,16 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <utility>
 
 #include "composite/composite.h"
 #include "core/log.h"
 #include "document/edits.h"
+#include "document/parts.h"
 #include "document/worn_surface.h"
 #include "editor/session/thumbnail_materials.h"
+#include "scene/part_bounds.h"
 
 namespace patina::editor {
 namespace {
@@ -214,13 +217,26 @@ void Session::follow_texel(const ViewState& view) {
 }
 
 /// The crosshair of what is explained stays on its point of the model when the camera moves.
-void Session::follow_crosshair(ViewState& view, float aspect) const {
+Bounds Session::bounds_of_material(const ViewState& view) const {
+    const MaterialPtr material = selected_material(view);
+    std::set<PartRef> parts;
+    if (material && document().scene)
+        for (const patina::Part& part : parts_of(document()))
+            if (part.material == material) parts.insert(part.ref);
+    return parts.empty() ? bounds() : bounds_world_of(*document().scene, parts);
+}
+
+float Session::view_aspect(const ViewState& view) const {
+    return viewport_aspect_ / static_cast<float>(view_columns(view.view));
+}
+
+void Session::follow_crosshair(ViewState& view) const {
     if (!texel_ || !view.crosshair || view.tool != ViewportTool::Probe) return;
     const auto columns = static_cast<float>(view_columns(view.view));
     const float column = std::floor(view.crosshair->x * columns);
     const render::Camera& camera = view.view.camera;
     const glm::vec4 point(texel_->probe[render::ChannelView::Position], 1.0f);
-    const glm::vec4 clip = render::clip_from_view(camera, aspect / columns, kAnyDepthRange) *
+    const glm::vec4 clip = render::clip_from_view(camera, view_aspect(view), kAnyDepthRange) *
                            (render::view_from_world(camera) * point);
     if (clip.w <= 0.0f) return;
     view.crosshair = glm::vec2((column + 0.5f + 0.5f * clip.x / clip.w) / columns,
@@ -295,16 +311,16 @@ void Session::update(ViewState& view, const FrameInput& input) {
         for (const LiveMaterials::Changed& each : changed)
             if (each.elapsed_ms > 0.0) composite_ms_ = each.elapsed_ms;
         picture_.set_materials(changed);
-        const float aspect = static_cast<float>(std::max(input.viewport.width, 1)) /
-                             static_cast<float>(std::max(input.viewport.height, 1));
+        viewport_aspect_ = static_cast<float>(std::max(input.viewport.width, 1)) /
+                           static_cast<float>(std::max(input.viewport.height, 1));
         if (std::exchange(frame_new_document_, false)) {
-            view.view.camera = render::framed(picture_.bounds(), aspect);
+            view.view.camera = render::framed(picture_.bounds(), view_aspect(view));
             view.crosshair.reset();
             view.solo = {};
             view.viewed_mask = {};
             view.unfolded_groups.clear();
         }
-        follow_crosshair(view, aspect);
+        follow_crosshair(view);
         render::View drawn = view.view;
         const Document& now = *history_->document();
         drawn.lights = now.lights;

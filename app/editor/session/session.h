@@ -74,6 +74,10 @@ class Session {
     /// The shipped preset of that id, for as long as the session lives; null where there is none.
     const io::PresetFile* preset(const std::string& id) const;
     const Bounds& bounds() const { return picture_.bounds(); }
+    /// Of the parts that are drawn with the selected material; of the whole model where none is.
+    Bounds bounds_of_material(const ViewState& view) const;
+    /// Width / height of one view of the model.
+    float view_aspect(const ViewState& view) const;
 
     // Around it.
     void toast(ToastKind kind, std::string message, std::string link = {},
@@ -132,7 +136,7 @@ class Session {
     void finish_environment(const ImagePtr& map, int generation);
     Jobs::Delivery light_delivery(render::FilteredEnvironment light, int generation);
     void follow_texel(const ViewState& view);
-    void follow_crosshair(ViewState& view, float aspect) const;
+    void follow_crosshair(ViewState& view) const;
     void draw_still();
     void follow_comparison(ViewState& view, bool moving);
     void expire_toasts();
@@ -181,6 +185,7 @@ class Session {
     std::shared_ptr<std::mutex> log_mutex_;
     double composite_ms_ = 0.0;
     double frame_ms_ = 0.0;
+    float viewport_aspect_ = 1.6f;  ///< width / height, of all views together
     bool wants_frame_ = false;
     // Workers last: they are stopped before what they use is gone.
     ThumbnailCache thumbnails_;

@@ -80,6 +80,16 @@ constexpr std::array kActions = {
     ActionInfo{Action::LargerInterface, Menu::View, nullptr, "Larger interface", "Ctrl +", Nothing},
     ActionInfo{Action::SmallerInterface, Menu::View, nullptr, "Smaller interface", "Ctrl \u2212", Nothing},
 
+    ActionInfo{Action::FrameMaterial, Menu::Camera, nullptr, "Frame the material", "Shift F", Needs::Material},
+    ActionInfo{Action::LookFromThreeQuarter, Menu::Camera, nullptr, "Three-quarter view", "", Needs::Document, true},
+    ActionInfo{Action::LookFromFront, Menu::Camera, nullptr, "Front view", "", Needs::Document},
+    ActionInfo{Action::LookFromBack, Menu::Camera, nullptr, "Back view", "", Needs::Document},
+    ActionInfo{Action::LookFromLeft, Menu::Camera, nullptr, "Left view", "", Needs::Document},
+    ActionInfo{Action::LookFromRight, Menu::Camera, nullptr, "Right view", "", Needs::Document},
+    ActionInfo{Action::LookFromTop, Menu::Camera, nullptr, "Top view", "", Needs::Document},
+    ActionInfo{Action::LookFromBottom, Menu::Camera, nullptr, "Bottom view", "", Needs::Document},
+    ActionInfo{Action::Orthographic, Menu::Camera, nullptr, "Orthographic", "", Needs::Document, true},
+
     ActionInfo{Action::Keys, Menu::Help, icon::kQuestion, "Keys and mouse", "F1", Nothing},
     ActionInfo{Action::About, Menu::Help, nullptr, "About Patina", "", Nothing},
 };

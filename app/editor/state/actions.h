@@ -4,6 +4,7 @@
 /// Everything that has a name and can be asked for from a menu, a key or the palette, as one table.
 /// To add one: an enumerator, a row, and a case in app/editor/perform.cpp.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -63,6 +64,15 @@ enum class Action {
     BrighterExposure,
     DarkerExposure,
     FrameModel,
+    FrameMaterial,
+    LookFromThreeQuarter,
+    LookFromFront,
+    LookFromBack,
+    LookFromLeft,
+    LookFromRight,
+    LookFromTop,
+    LookFromBottom,
+    Orthographic,
     ProbeTool,
     ShowUv,
     ShowWires,
@@ -78,7 +88,11 @@ enum class Action {
     About,
 };
 
-enum class Menu { File, Edit, Layer, Material, View, Help };
+enum class Menu { File, Edit, Layer, Material, View, Help, Camera };
+/// Those in the bar at the top; Camera is among the tools of the viewport.
+inline constexpr int kBarMenuCount = 6;
+inline constexpr std::array<std::string_view, 7> kMenuNames = {"File", "Edit", "Layer", "Material",
+                                                               "View", "Help", "Camera"};
 
 /// What has to be there for the action to apply.
 enum class Needs {

@@ -41,6 +41,7 @@ inline constexpr const char* kEyedropper = "\uf1fb";
 inline constexpr const char* kGrid = "\uf00a";
 inline constexpr const char* kSun = "\uf185";
 inline constexpr const char* kCamera = "\uf030";
+inline constexpr const char* kVideo = "\uf03d";
 inline constexpr const char* kArrowUp = "\uf062";
 inline constexpr const char* kImage = "\uf03e";
 inline constexpr const char* kNoise = "\uf0c2";

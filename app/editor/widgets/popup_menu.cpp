@@ -80,6 +80,11 @@ void PopupMenu::separator() {
     hairline(ui_, {row.x0, row.y0 + ui_.px(4), row.x1, row.y1}, theme::kFieldHover);
 }
 
+Rect PopupMenu::field_row() {
+    const Rect row = next_row(ui_.px(theme::kFieldHeight + 8));
+    return row.inset(ui_.px(8), ui_.px(4));
+}
+
 void place_popup(const Rect& anchor, float gap) {
     ImGui::SetNextWindowPos(ImVec2(anchor.x0, anchor.y1 + gap), ImGuiCond_Appearing);
 }

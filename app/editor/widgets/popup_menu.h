@@ -30,6 +30,8 @@ class PopupMenu {
     bool item(const MenuItem& item);
     void heading(std::string_view words);
     void separator();
+    /// A row for a field.
+    Rect field_row();
 
   private:
     Rect next_row(float height);

@@ -37,6 +37,36 @@ TEST(Camera, FramingShowsEveryCornerFromEveryDirection) {
         }
 }
 
+/// Metres from bottom to top of the picture where the target is.
+float height_of_view(const Camera& camera) {
+    if (camera.orthographic_height > 0.0f) return camera.orthographic_height;
+    return 2.0f * glm::distance(camera.position, camera.target) *
+           std::tan(0.5f * glm::radians(camera.fov_y_degrees));
+}
+
+TEST(Camera, AnotherFieldOfViewOrProjectionLeavesTheTargetAsLargeAsItWas) {
+    const Camera camera = framed(kBox, 1.5f);
+    for (const float fov : {5.0f, 30.0f, 120.0f}) {
+        const Camera wider = with_fov(camera, fov);
+        EXPECT_FLOAT_EQ(wider.fov_y_degrees, fov);
+        EXPECT_NEAR(height_of_view(wider), height_of_view(camera), 1e-4f);
+        const Camera flat = with_other_projection(wider);
+        EXPECT_GT(flat.orthographic_height, 0.0f);
+        EXPECT_NEAR(height_of_view(flat), height_of_view(camera), 1e-4f);
+        const Camera back = with_other_projection(dollied(flat, 1.0f));
+        EXPECT_EQ(back.orthographic_height, 0.0f);
+        EXPECT_NEAR(height_of_view(back), 0.5f * height_of_view(camera), 1e-4f);
+    }
+}
+
+TEST(Camera, LooksFromAnotherDirectionInTheProjectionThatItHad) {
+    const Camera flat = with_other_projection(framed(kBox, 1.5f, ViewDirection::Front, 50.0f));
+    const Camera top = framed_from_direction(flat, kBox, 1.5f, ViewDirection::Top);
+    EXPECT_GT(top.position.y, kBox.high.y);
+    EXPECT_FLOAT_EQ(top.fov_y_degrees, 50.0f);
+    EXPECT_NEAR(top.orthographic_height, 1.1f * 3.0f / 1.5f, 0.05f);
+}
+
 TEST(Camera, FrontLooksAlongMinusZWithYUp) {
     const Camera camera = framed(kBox, 1.0f, ViewDirection::Front);
     const glm::vec3 right =

@@ -19,8 +19,11 @@ void draw_part_note(Ui& ui, const Rect& rect, const Shown& shown, ViewState& sta
 
 void draw_divider(Ui& ui, const Rect& rect, render::View& view);
 Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
-/// The world's axes as the camera sees them; the nearest is drawn last.
-void draw_gizmo(Ui& ui, const Rect& rect, const render::Camera& camera);
+/// The popup "camera menu", where it is open: directions to look from, projection, field of view.
+Requests draw_camera_menu(Ui& ui, const Rect& anchor, const Shown& shown, render::Camera& camera);
+/// The world's axes as the camera sees them; the nearest is drawn last. A click on one looks along
+/// it, a second click from the other side.
+Requests draw_gizmo(Ui& ui, const Rect& rect, const render::Camera& camera);
 
 /// What grey or heat stands for, where the view shows a scalar or a difference.
 void draw_scale(Ui& ui, const Rect& rect, const render::View& view);

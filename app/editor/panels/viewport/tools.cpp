@@ -46,7 +46,7 @@ void draw_divider(Ui& ui, const Rect& rect, render::View& view) {
 Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view) {
     Requests requests;
     const Place place(ui, "Tools");
-    constexpr int kTools = 5;
+    constexpr int kTools = 6;
     const float height = ui.px(6 + 26 * kTools + 2 * (kTools - 1));
     Rect box{rect.x1 - ui.px(40), rect.y0 + ui.px(8), rect.x1 - ui.px(8),
              rect.y0 + ui.px(8) + height};
@@ -60,6 +60,13 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
     const bool open = shown.document != nullptr;
     if (button({.icon = icon::kFrame, .label = "Frame the model", .key = "F", .enabled = open}))
         requests.ask(Action::FrameModel);
+    const Rect camera_place = Rect{box.x0, box.y0, box.x1, box.y0 + ui.px(26)};
+    if (button({.icon = icon::kVideo,
+                .label = "Camera",
+                .tooltip = "Where to look from, field of view, orthographic",
+                .enabled = open}))
+        ImGui::OpenPopup("camera menu");
+    requests.append(draw_camera_menu(ui, camera_place, shown, view.view.camera));
     const bool probing = view.tool == ViewportTool::Probe;
     if (button({.icon = icon::kEyedropper,
                 .label = "Read and explain",
@@ -86,29 +93,40 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
     return requests;
 }
 
-/// The world's axes as the camera sees them; the nearest is drawn last.
-void draw_gizmo(Ui& ui, const Rect& rect, const render::Camera& camera) {
+Requests draw_gizmo(Ui& ui, const Rect& rect, const render::Camera& camera) {
+    Requests requests;
+    const Place place(ui, "Axes");
     const glm::mat4 view = render::view_from_world(camera);
     const float x = rect.x0 + ui.px(44);
     const float y = rect.y1 - ui.px(44);
     struct Axis {
         const char* name;
         ImU32 color;
-        glm::vec3 tip;
+        glm::vec3 tip;  ///< in view space
+        Action from, from_behind;
     };
-    std::array<Axis, 3> axes = {{{"X", rgb(0xD9655B), glm::vec3(view[0])},
-                                 {"Y", rgb(0x7FB14F), glm::vec3(view[1])},
-                                 {"Z", rgb(0x5B8FD9), glm::vec3(view[2])}}};
+    std::array<Axis, 3> axes = {
+        {{"X", rgb(0xD9655B), glm::vec3(view[0]), Action::LookFromRight, Action::LookFromLeft},
+         {"Y", rgb(0x7FB14F), glm::vec3(view[1]), Action::LookFromTop, Action::LookFromBottom},
+         {"Z", rgb(0x5B8FD9), glm::vec3(view[2]), Action::LookFromFront, Action::LookFromBack}}};
     std::sort(axes.begin(), axes.end(),
               [](const Axis& a, const Axis& b) { return a.tip.z < b.tip.z; });
     for (const Axis& axis : axes) {
         const float tip_x = x + 25 * ui.scale * axis.tip.x;
         const float tip_y = y - 25 * ui.scale * axis.tip.y;
         line(ui, x, y, tip_x, tip_y, axis.color, 2);
-        disc(ui, tip_x, tip_y, 7, axis.color);
         const Rect letter = Rect{tip_x, tip_y, tip_x, tip_y}.centered(ui.px(14), ui.px(14));
+        // Half a degree from the axis counts as on it.
+        const Action action = axis.tip.z > 0.9999f ? axis.from_behind : axis.from;
+        const Tip tip{std::string(info(action).label),
+                      "Looks along this axis, a second click from the other side"};
+        const Press pressed = press(
+            ui, letter, {.label = axis.name, .kind = "axis", .tip = &tip, .focusable = false});
+        if (pressed.clicked) requests.ask(action);
+        disc(ui, tip_x, tip_y, pressed.hovered ? 8.5f : 7.0f, axis.color);
         text(ui, letter, ui.fonts.medium11, rgb(0x0D0D0D), axis.name, Align::Center);
     }
+    return requests;
 }
 
 }  // namespace patina::editor

@@ -78,7 +78,7 @@ Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& 
     draw_labels(ui, rect, shown, view);
     draw_seams(ui, rect, view);
     if (!shown.comparison || !shown.comparison->values || view_columns(view) == 1)
-        draw_gizmo(ui, rect, view.camera);
+        requests.append(draw_gizmo(ui, rect, view.camera));
     if (shown.toasts.empty()) draw_scale(ui, rect, view);
     const Press pressed =
         press(ui, rect, {.label = "Model", .kind = "viewport", .focusable = false});

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "editor/panels/viewport/parts.h"
+#include "editor/widgets/popup_menu.h"
+#include "editor/widgets/slider.h"
+
+namespace patina::editor {
+namespace {
+
+constexpr float kMenuWidth = 216.0f;
+
+/// As photographers think of it: the focal length on a frame 24 mm high.
+double focal_length_mm(double fov_y_degrees) {
+    return 12.0 / std::tan(0.5 * fov_y_degrees * 0.017453292519943295);
+}
+
+void fov_field(Ui& ui, const Rect& rect, render::Camera& camera) {
+    const bool orthographic = camera.orthographic_height > 0.0f;
+    const std::string tip = fmt::format(
+        "Angle from the bottom to the top of the view, 5 to 120\u00b0; now a lens of {:.0f} mm. "
+        "The model stays as large as it is",
+        focal_length_mm(static_cast<double>(camera.fov_y_degrees)));
+    const auto changed = number_field(ui, rect,
+                                      {.label = "Field of view",
+                                       .shown_label = "Field of view",
+                                       .minimum = 5.0,
+                                       .maximum = 120.0,
+                                       .standard = 30.0,
+                                       .step = 1.0,
+                                       .decimals = 1,
+                                       .unit = "\u00b0",
+                                       .tooltip = tip,
+                                       .enabled = !orthographic},
+                                      static_cast<double>(camera.fov_y_degrees));
+    if (changed) camera = render::with_fov(camera, static_cast<float>(*changed));
+}
+
+}  // namespace
+
+Requests draw_camera_menu(Ui& ui, const Rect& anchor, const Shown& shown, render::Camera& camera) {
+    Requests requests;
+    ImGui::SetNextWindowPos(ImVec2(anchor.x0 - ui.px(kMenuWidth + 6), anchor.y0),
+                            ImGuiCond_Appearing);
+    PopupMenu menu(ui, "camera menu", kMenuWidth);
+    if (!menu.open()) return requests;
+    for (const ActionInfo& row : actions()) {
+        if (row.menu != Menu::Camera) continue;
+        if (row.separator_before) menu.separator();
+        const bool ticked = row.action == Action::Orthographic && camera.orthographic_height > 0.0f;
+        if (menu.item({.label = row.label,
+                       .key = row.key,
+                       .enabled = applies(row.action, shown),
+                       .ticked = ticked}))
+            requests.ask(row.action);
+    }
+    fov_field(ui, menu.field_row(), camera);
+    return requests;
+}
+
+}  // namespace patina::editor
