@@ -26,7 +26,7 @@ constexpr std::string_view kValues = R"(        esac
     done
     case "$command $before" in
 )";
-constexpr std::string_view kOptions = R"(        *' --preset')
+constexpr std::string_view kOptions = R"(        *' --preset' | *' --material-preset')
             words=$(patina preset list 2>/dev/null | cut -d' ' -f1)
             COMPREPLY=($(compgen -W "$words" -- "$word"))
             compopt -o default 2>/dev/null

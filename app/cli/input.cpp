@@ -110,7 +110,7 @@ void add_preset_options(CLI::App& app, PresetRequests& requests) {
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
     app.add_option_function<std::vector<std::string>>(
-           "--preset", read,
+           "--preset,--material-preset", read,
            "A preset for the material of that name, or for all: the name of one that ships\n"
            "(see 'patina preset list') or a file; may be given several times")
         ->allow_extra_args(false)

@@ -24,7 +24,7 @@ constexpr const char* kFooter =
     "\n"
     "Examples:\n"
     "  patina render model.glb -o picture.png\n"
-    "  patina render model.glb --shading split --divider 0.4 -o pbr-beside-phong.png\n"
+    "  patina render model.glb --split 0.4 -o pbr-beside-phong.png\n"
     "  patina render model.glb --shading blinn-phong --phong-exponent 60 --phong-specular #ffd080\n"
     "      -o shiny.png\n"
     "  patina render model.glb --channel roughness --size 512x512 -o roughness.png\n"

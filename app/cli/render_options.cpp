@@ -31,20 +31,6 @@ struct TermSet {
 };
 constexpr std::array kTermSets = {TermSet{"gltf", {}}, TermSet{"lecture", render::kLectureTerms}};
 
-struct NamedDirection {
-    std::string_view id;
-    render::ViewDirection direction;
-};
-constexpr std::array kDirections = {
-    NamedDirection{"three-quarter", render::ViewDirection::ThreeQuarter},
-    NamedDirection{"front", render::ViewDirection::Front},
-    NamedDirection{"back", render::ViewDirection::Back},
-    NamedDirection{"left", render::ViewDirection::Left},
-    NamedDirection{"right", render::ViewDirection::Right},
-    NamedDirection{"top", render::ViewDirection::Top},
-    NamedDirection{"bottom", render::ViewDirection::Bottom},
-};
-
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     render::View& view = options.request.view;
     add_size_option(command, "--size", options.request.size.width, options.request.size.height,
@@ -183,6 +169,17 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("0-1")
         ->capture_default_str();
+    command
+        .add_option_function<float>(
+            "--split",
+            [&view](float divider) {
+                view.compare = render::CompareMode::Split;
+                view.left.model = render::ShadingModel::Pbr;
+                view.divider = divider;
+            },
+            "As --shading split --divider X")
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("X");
     add_choice_option(
         command, "--path", render::kRenderPaths,
         [&view](const auto& entry) { view.left.path = view.right.path = entry.value; },
@@ -247,6 +244,8 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
     command.add_flag("!--no-reflection-occlusion", view.occlude_reflections,
                      "Hold mirrored light back by the occlusion map as much as diffuse light, and "
                      "mirror what lies below the surface");
+    command.add_flag("!--no-ground-shadow", view.ground_shadow,
+                     "Leave the floor or ground of the background without the model's shadow");
     command.add_flag("!--no-shadows", view.shadows,
                      "Let suns of the environment, the strongest lamps and the light of the "
                      "traditional models cast none");
@@ -295,10 +294,8 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1, 999))
         ->type_name("N");
     add_choice_option(
-        command, "--view", kDirections,
-        [&options](const NamedDirection& entry) {
-            options.request.automatic_camera = entry.direction;
-        },
+        command, "--view", render::kViewDirections,
+        [&options](const auto& entry) { options.request.automatic_camera = entry.value; },
         "From where the scene is framed")
         ->default_str("three-quarter")
         ->excludes(position);

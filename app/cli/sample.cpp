@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
 // patina sample: the scene that ships as code.
-#include <fmt/format.h>
-
-#include <array>
-
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "io/mesh_to_glb.h"
@@ -18,18 +14,7 @@ struct SampleOptions {
 };
 
 Status run_sample(const SampleOptions& options) {
-    // In the order of Primitive::source_material; shapes other than the ball have the first alone.
-    const std::array materials = {
-        io::PlainMaterial{.name = "Ball", .roughness = 0.4f},
-        io::PlainMaterial{
-            .name = "Stand", .base_color_linear = glm::vec3(0.06f), .roughness = 0.55f},
-    };
-    const Mesh mesh = shape_mesh(options.shape);
-    io::PlainMaterial only = materials.front();
-    only.name = mesh.name;
-    const Bytes glb = mesh.primitives.size() > 1 ? io::mesh_to_glb(mesh, materials)
-                                                 : io::mesh_to_glb(mesh, std::span(&only, 1));
-    return write_file_atomically(options.output, glb);
+    return write_file_atomically(options.output, io::shape_to_glb(options.shape));
 }
 
 }  // namespace

@@ -225,8 +225,7 @@ void take_dropped(const Parts& parts, const Window::Dropped& dropped) {
 
 std::string title_of(Session& session) {
     if (!session.has_document()) return "Patina";
-    const std::string name =
-        session.path().empty() ? "shader_ball.glb" : session.path().filename().string();
+    const std::string name = session.file_name().string();
     return name + (session.is_edited() ? " \u2022 edited" : "") + " \u2013 Patina";
 }
 

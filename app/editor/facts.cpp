@@ -22,6 +22,12 @@ void state_view(UiMap& map, const ViewState& view) {
     map.set_fact("left path", render::kRenderPaths[static_cast<std::size_t>(picture.left.path)].id);
     map.set_fact("right path",
                  render::kRenderPaths[static_cast<std::size_t>(picture.right.path)].id);
+    const render::Camera& camera = picture.camera;
+    map.set_fact("camera", fmt::format("{:.2f} {:.2f} {:.2f}", camera.position.x, camera.position.y,
+                                       camera.position.z));
+    map.set_fact("lens", camera.orthographic_height > 0.0f
+                             ? "orthographic"
+                             : fmt::format("{:.0f}", camera.fov_y_degrees));
     map.set_fact("divider", fmt::format("{:.3f}", picture.divider));
 }
 

@@ -72,6 +72,7 @@ class Workspace {
     void lay_textures(const std::filesystem::path& folder);
     void choose_image_for(const ChooseImageFor& request);
     void when_edits_may_go(std::function<void()> go_on);
+    void open_shape(Shape shape);
     void use_image(const ImageAssetPtr& image, Edit edit, std::string label);
     void add_image_layer(const ImageAssetPtr& image);
     void lay_preset(const io::PresetFile& file, bool replace_stack);

@@ -45,14 +45,17 @@ void Workspace::when_edits_may_go(std::function<void()> go_on) {
                                {"Cancel", {}}}});
 }
 
+void Workspace::open_shape(Shape shape) {
+    when_edits_may_go([this, shape] { session_->open_shape(shape); });
+}
+
 void Workspace::save_then(std::function<void()> after) {
     if (session_->path().empty()) return ask_save_as(std::move(after));
     session_->save(session_->path(), view_, std::move(after));
 }
 
 void Workspace::ask_save_as(std::function<void()> after) {
-    const std::string name =
-        session_->path().empty() ? "shader_ball.glb" : session_->path().filename().string();
+    const std::string name = session_->file_name().string();
     file_dialog_.open({.title = "Save as",
                        .button = "Save",
                        .extensions = kModels,
@@ -99,8 +102,17 @@ void Workspace::perform_file(Action action) {
             });
             return;
         case Action::OpenSample:
-            when_edits_may_go([this] { session_->open_sample(); });
-            return;
+            return open_shape(Shape::ShaderBall);
+        case Action::NewSphere:
+            return open_shape(Shape::Sphere);
+        case Action::NewRoundedCube:
+            return open_shape(Shape::RoundedCube);
+        case Action::NewPlane:
+            return open_shape(Shape::Plane);
+        case Action::NewCylinder:
+            return open_shape(Shape::Cylinder);
+        case Action::NewTorus:
+            return open_shape(Shape::Torus);
         case Action::Save:
             if (session_->has_document()) save_then({});
             return;

@@ -2,6 +2,7 @@
 #include "io/mesh_to_glb.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -134,6 +135,19 @@ Bytes mesh_to_glb(const Mesh& mesh, std::span<const PlainMaterial> materials) {
     pad(parts.binary, '\0');
     parts.json["buffers"] = Json::array({{{"byteLength", parts.binary.size()}}});
     return assemble(parts.json.dump(), parts.binary);
+}
+
+Bytes shape_to_glb(Shape shape) {
+    // In the order of Primitive::source_material.
+    const std::array materials = {
+        PlainMaterial{.name = "Ball", .roughness = 0.4f},
+        PlainMaterial{.name = "Stand", .base_color_linear = glm::vec3(0.06f), .roughness = 0.55f},
+    };
+    const Mesh mesh = shape_mesh(shape);
+    if (mesh.primitives.size() > 1) return mesh_to_glb(mesh, materials);
+    PlainMaterial only = materials.front();
+    only.name = mesh.name;
+    return mesh_to_glb(mesh, std::span(&only, 1));
 }
 
 }  // namespace patina::io

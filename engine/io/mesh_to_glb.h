@@ -10,6 +10,7 @@
 
 #include "core/files.h"
 #include "scene/mesh.h"
+#include "scene/shapes.h"
 
 namespace patina::io {
 
@@ -26,5 +27,9 @@ struct PlainMaterial {
 /// of a primitive are as long as its positions, of which there is at least one. Equal input gives
 /// equal bytes.
 Bytes mesh_to_glb(const Mesh& mesh, std::span<const PlainMaterial> materials);
+
+/// A scene to look at materials on: the shader ball has a material for the ball and one for its
+/// stand, every other shape has one that is named as it is.
+Bytes shape_to_glb(Shape shape);
 
 }  // namespace patina::io

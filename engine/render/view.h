@@ -41,6 +41,16 @@ inline constexpr std::array<Choice<CompareMode>, 4> kCompareModes = {{
     {CompareMode::Difference, "difference", "Difference", "Where two shadings differ, as heat"},
 }};
 
+inline constexpr std::array<Choice<ViewDirection>, 7> kViewDirections = {{
+    {ViewDirection::ThreeQuarter, "three-quarter", "Three-quarter", "From the front right, above"},
+    {ViewDirection::Front, "front", "Front", "Along -Z"},
+    {ViewDirection::Back, "back", "Back", "Along +Z"},
+    {ViewDirection::Left, "left", "Left", "Along +X"},
+    {ViewDirection::Right, "right", "Right", "Along -X"},
+    {ViewDirection::Top, "top", "Top", "Downwards"},
+    {ViewDirection::Bottom, "bottom", "Bottom", "Upwards"},
+}};
+
 struct Background {
     enum class Kind {
         Studio,              ///< a dark grey backdrop with a floor

@@ -73,6 +73,7 @@ TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
              {"--tone-map", "none"},
              {"--background", "#ff8000"},
              {"--background", "none"},
+             {"--no-ground-shadow"},
              {"--environment", "sky"},
              {"--environment-rotation", "90"},
              {"--orthographic", "3"},
@@ -82,6 +83,17 @@ TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
         ASSERT_TRUE(succeeded(render(change, "changed.png"))) << change[0];
         EXPECT_TRUE(file_text(at("changed.png")) != plain) << testing::PrintToString(change);
     }
+}
+
+TEST_F(Render, ASplitIsTheShadingOfThatNameAndAMaterialPresetIsAPreset) {
+    const auto picture = [&](const std::vector<std::string>& words) {
+        EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);
+        return file_text(at("a.png"));
+    };
+    EXPECT_TRUE(picture({"--split", "0.3"}) == picture({"--shading", "split", "--divider", "0.3"}));
+    EXPECT_TRUE(picture({"--material-preset", "brushed-brass@Ball"}) ==
+                picture({"--preset", "brushed-brass@Ball"}));
+    EXPECT_EQ(render({"--split", "1.5"}, "a.png").status, 2);
 }
 
 TEST_F(Render, EachTermChangesTheLightOfALamp) {

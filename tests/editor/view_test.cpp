@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "editor/editor_fixture.h"
 
 namespace patina::editor_tests {
@@ -105,6 +107,61 @@ TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
     ASSERT_TRUE(editor.wait_for("the new layer in it", [&] { return steps().size() == 2; }));
     editor.key("ctrl+z");
     ASSERT_TRUE(editor.wait_for("the old explanation", [&] { return steps().size() == 1; }));
+}
+
+TEST_F(ViewTest, TheCameraLooksFromEverySideThroughAnyLensAndFramesAMaterial) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor, "sample.glb"));
+    const auto choose = [&](const std::string& item) {
+        EXPECT_TRUE(editor.click("Viewport/Tools", "Camera", "button"));
+        EXPECT_TRUE(editor.click("Viewport/Tools/Popup", item, "item"));
+        EXPECT_TRUE(editor.settle());
+        return editor.fact("camera");
+    };
+    std::set<std::string> places = {editor.fact("camera")};
+    for (const std::string side : {"Front", "Back", "Left", "Right", "Top", "Bottom"})
+        places.insert(choose(side + " view"));
+    EXPECT_EQ(places.size(), 7u);
+    const std::string framed = choose("Three-quarter view");
+    EXPECT_EQ(choose("Orthographic"), framed);
+    EXPECT_EQ(editor.fact("lens"), "orthographic");
+    EXPECT_EQ(choose("Orthographic"), framed);
+    EXPECT_EQ(editor.fact("lens"), "30");
+    ASSERT_TRUE(editor.click("Viewport/Axes", "Y", "axis"));
+    ASSERT_TRUE(
+        editor.wait_for("the view from above", [&] { return editor.fact("camera") != framed; }));
+    EXPECT_EQ(choose("Three-quarter view"), framed);
+    // The ball is smaller than the ball on its stand.
+    editor.key("shift+f");
+    ASSERT_TRUE(editor.wait_for("the ball alone", [&] { return editor.fact("camera") != framed; }));
+    editor.key("f");
+    ASSERT_TRUE(editor.wait_fact("camera", framed));
+    EXPECT_EQ(editor.fact("edited"), "no");
+}
+
+TEST_F(ViewTest, EveryShapeIsThereWithoutAFile) {
+    Editor editor(display_.name(), folder_, {"--window", "1280x720", "--scale", "1"});
+    for (const std::string shape : {"sphere", "rounded cube", "plane", "cylinder", "torus"}) {
+        ASSERT_TRUE(editor.click("Top bar", "File", "menu"));
+        ASSERT_TRUE(editor.click("Top bar/Popup", "New " + shape, "item"));
+        ASSERT_TRUE(editor.wait_fact(
+            "document", (shape == "rounded cube" ? "rounded_cube" : shape) + std::string(".glb")));
+        EXPECT_EQ(editor.fact("edited"), "no");
+    }
+}
+
+TEST_F(ViewTest, ThePlainBackgroundTakesAColour) {
+    Editor editor(display_.name(), folder_, arguments(sample()));
+    ASSERT_TRUE(open(editor, "sample.glb"));
+    ASSERT_TRUE(editor.click("Viewport bar", "Background and edges", "button"));
+    EXPECT_FALSE(editor.find("Viewport bar/Popup", "Background colour", "color").has_value());
+    ASSERT_TRUE(editor.click("Viewport bar/Popup", "Colour", "item"));
+    ASSERT_TRUE(editor.click("Viewport bar", "Background and edges", "button"));
+    ASSERT_TRUE(editor.wait_for("its colour", [&] {
+        return editor.find("Viewport bar/Popup", "Background colour", "color").has_value();
+    }));
+    EXPECT_EQ(editor.find("Viewport bar/Popup", "Background colour", "color")->value, "#1A1A1A");
+    EXPECT_EQ(editor.fact("edited"), "no");
 }
 
 TEST_F(ViewTest, PhongTakesItsOwnSettingsWhereTheirBoxesAreTicked) {

@@ -77,7 +77,10 @@ std::vector<TableRow> cost_rows(const render::FrameStats& stats) {
     };
     rows.push_back({"G-buffer, MB", mb(left.gbuffer_bytes), mb(right.gbuffer_bytes)});
     rows.push_back({"Environment, MB", mb(left.environment_bytes), mb(right.environment_bytes)});
-    rows.push_back({"Memory, MB", mb(left.bytes()), mb(right.bytes()), true});
+    // Both sides read those of the materials.
+    const std::size_t textures = stats.material_texture_bytes;
+    rows.push_back({"Textures, MB", mb(textures), mb(textures)});
+    rows.push_back({"Memory, MB", mb(left.bytes() + textures), mb(right.bytes() + textures), true});
     return rows;
 }
 

@@ -2,11 +2,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/formulae/formulae.h"
 #include "document/edits.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/mode_icons.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
+#include "editor/widgets/color_field.h"
 #include "editor/widgets/popup_menu.h"
 #include "editor/widgets/slider.h"
 
@@ -147,6 +149,17 @@ void path_items(PopupMenu& menu, render::View& view) {
     item("Forward path, right", view.right);
 }
 
+/// The colour of the plain background, which is stored as it is on screen.
+void background_color(Ui& ui, const Rect& rect, glm::vec3& srgb) {
+    const formulae::Real3 linear = formulae::linear_from_srgb({srgb.x, srgb.y, srgb.z});
+    const auto chosen =
+        color_field(ui, rect, {.label = "Background colour", .tooltip = "What is behind the model"},
+                    glm::vec3(linear.x, linear.y, linear.z));
+    if (!chosen) return;
+    const formulae::Real3 shown = formulae::srgb_from_linear({chosen->x, chosen->y, chosen->z});
+    srgb = {shown.x, shown.y, shown.z};
+}
+
 void background_menu(Ui& ui, ViewState& state) {
     PopupMenu menu(ui, "view menu", 190);
     if (!menu.open()) return;
@@ -157,6 +170,8 @@ void background_menu(Ui& ui, ViewState& state) {
                        .ticked = view.background.kind == choice.value,
                        .tooltip = choice.tooltip}))
             view.background.kind = choice.value;
+    if (view.background.kind == render::Background::Kind::Color)
+        background_color(ui, menu.field_row(), view.background.color_srgb);
     menu.separator();
     path_items(menu, view);
     menu.separator();

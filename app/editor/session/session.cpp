@@ -369,7 +369,7 @@ Shown Session::shown(const ViewState& view) {
     shown.document = history_->document();
     shown.material = selected_material(view);
     shown.layer = selected_layer(view);
-    shown.file_name = path_.empty() ? "shader_ball.glb" : path_.filename().string();
+    shown.file_name = file_name().string();
     shown.edited = history_->is_edited();
     shown.history = {.labels = history_->labels(),
                      .position = history_->position(),

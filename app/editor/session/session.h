@@ -26,6 +26,7 @@
 #include "io/load.h"
 #include "io/preset_library.h"
 #include "io/texture_folder.h"
+#include "scene/shapes.h"
 
 namespace patina::editor {
 
@@ -37,7 +38,7 @@ class Session {
 
     // Files. All of them return at once; what comes of it shows in jobs and toasts.
     void open(const std::filesystem::path& path);
-    void open_sample();
+    void open_shape(Shape shape);
     /// With groups folded as they are seen.
     /// @param after  called when the file has been written
     void save(const std::filesystem::path& path, const ViewState& view,
@@ -71,6 +72,8 @@ class Session {
     History& history() { return *history_; }
     bool is_edited() const { return history_ && history_->is_edited(); }
     const std::filesystem::path& path() const { return path_; }
+    /// Without its folder; what a shape that was made here would be saved as.
+    std::filesystem::path file_name() const;
     /// The shipped preset of that id, for as long as the session lives; null where there is none.
     const io::PresetFile* preset(const std::string& id) const;
     const Bounds& bounds() const { return picture_.bounds(); }
@@ -152,6 +155,7 @@ class Session {
     std::optional<History> history_;
     std::shared_ptr<io::ImageStore> images_;
     std::filesystem::path path_;
+    std::string shape_name_;  ///< where there is no path
     bool frame_new_document_ = false;
     ViewportPicture picture_;
     std::string environment_name_;

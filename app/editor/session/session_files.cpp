@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <future>
 #include <utility>
 
@@ -74,23 +73,22 @@ void Session::open(const fs::path& path) {
     });
 }
 
-void Session::open_sample() {
-    jobs_.start("Making the sample", [this](const Progress& progress) {
-        const std::array materials = {
-            io::PlainMaterial{.name = "Ball", .roughness = 0.4f},
-            io::PlainMaterial{
-                .name = "Stand", .base_color_linear = glm::vec3(0.06f), .roughness = 0.55f},
-        };
+void Session::open_shape(Shape shape) {
+    std::string name = std::string(kShapes[static_cast<std::size_t>(shape)].id) + ".glb";
+    std::replace(name.begin(), name.end(), '-', '_');
+    jobs_.start("Making " + name, [this, shape, name](const Progress& progress) {
         auto loaded = std::make_shared<Result<io::LoadedDocument>>(
-            io::load_document_from_memory(io::mesh_to_glb(shape_mesh(Shape::ShaderBall), materials),
-                                          "shader_ball.glb", {}, progress));
-        return [this, loaded] {
-            if (*loaded)
-                adopt(std::move(**loaded), {});
-            else
-                report_job_failure(loaded->error());
+            io::load_document_from_memory(io::shape_to_glb(shape), name, {}, progress));
+        return [this, loaded, name] {
+            if (!*loaded) return report_job_failure(loaded->error());
+            adopt(std::move(**loaded), {});
+            shape_name_ = name;
         };
     });
+}
+
+fs::path Session::file_name() const {
+    return path_.empty() ? fs::path(shape_name_) : path_.filename();
 }
 
 void Session::adopt(io::LoadedDocument loaded, fs::path path) {
@@ -138,7 +136,7 @@ void Session::save(const fs::path& path, const ViewState& view, std::function<vo
 }
 
 fs::path Session::export_target(const fs::path& folder) const {
-    const fs::path name = path_.empty() ? fs::path("shader_ball.glb") : path_.filename();
+    const fs::path name = file_name();
     return folder / name.stem().concat(".glb");
 }
 

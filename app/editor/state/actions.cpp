@@ -14,6 +14,11 @@ using enum Needs;
 constexpr std::array kActions = {
     ActionInfo{Action::Open, Menu::File, icon::kFolderOpen, "Open\u2026", "Ctrl O", Nothing},
     ActionInfo{Action::OpenSample, Menu::File, nullptr, "Open the sample", "", Nothing},
+    ActionInfo{Action::NewSphere, Menu::File, nullptr, "New sphere", "", Nothing, true},
+    ActionInfo{Action::NewRoundedCube, Menu::File, nullptr, "New rounded cube", "", Nothing},
+    ActionInfo{Action::NewPlane, Menu::File, nullptr, "New plane", "", Nothing},
+    ActionInfo{Action::NewCylinder, Menu::File, nullptr, "New cylinder", "", Nothing},
+    ActionInfo{Action::NewTorus, Menu::File, nullptr, "New torus", "", Nothing},
     ActionInfo{Action::Save, Menu::File, icon::kSave, "Save", "Ctrl S", Needs::Document, true},
     ActionInfo{Action::SaveAs, Menu::File, nullptr, "Save as\u2026", "Ctrl Shift S", Needs::Document},
     ActionInfo{Action::Export, Menu::File, icon::kExport, "Export maps\u2026", "Ctrl E", Needs::Document},

@@ -14,6 +14,11 @@ namespace patina::editor {
 enum class Action {
     Open,
     OpenSample,
+    NewSphere,
+    NewRoundedCube,
+    NewPlane,
+    NewCylinder,
+    NewTorus,
     Save,
     SaveAs,
     Export,
