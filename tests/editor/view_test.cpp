@@ -160,7 +160,7 @@ TEST_F(ViewTest, ThePlainBackgroundTakesAColour) {
     ASSERT_TRUE(editor.wait_for("its colour", [&] {
         return editor.find("Viewport bar/Popup", "Background colour", "color").has_value();
     }));
-    EXPECT_EQ(editor.find("Viewport bar/Popup", "Background colour", "color")->value, "#1A1A1A");
+    EXPECT_EQ(editor.find("Viewport bar/Popup", "Background colour", "color")->value, "#191919");
     EXPECT_EQ(editor.fact("edited"), "no");
 }
 

@@ -165,13 +165,15 @@ void background_menu(Ui& ui, ViewState& state) {
     if (!menu.open()) return;
     render::View& view = state.view;
     menu.heading("Background");
-    for (const auto& choice : render::kBackgrounds)
+    for (const auto& choice : render::kBackgrounds) {
         if (menu.item({.label = choice.label,
                        .ticked = view.background.kind == choice.value,
                        .tooltip = choice.tooltip}))
             view.background.kind = choice.value;
-    if (view.background.kind == render::Background::Kind::Color)
-        background_color(ui, menu.field_row(), view.background.color_srgb);
+        const bool plain = choice.value == render::Background::Kind::Color;
+        if (plain && view.background.kind == choice.value)
+            background_color(ui, menu.field_row(), view.background.color_srgb);
+    }
     menu.separator();
     path_items(menu, view);
     menu.separator();

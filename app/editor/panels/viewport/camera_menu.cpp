@@ -40,8 +40,9 @@ void fov_field(Ui& ui, const Rect& rect, render::Camera& camera) {
 
 Requests draw_camera_menu(Ui& ui, const Rect& anchor, const Shown& shown, render::Camera& camera) {
     Requests requests;
-    ImGui::SetNextWindowPos(ImVec2(anchor.x0 - ui.px(kMenuWidth + 6), anchor.y0),
-                            ImGuiCond_Appearing);
+    // At the left of the tools, with its right end there however wide it turns out.
+    ImGui::SetNextWindowPos(ImVec2(anchor.x0 - ui.px(6), anchor.y0), ImGuiCond_Always,
+                            ImVec2(1.0f, 0.0f));
     PopupMenu menu(ui, "camera menu", kMenuWidth);
     if (!menu.open()) return requests;
     for (const ActionInfo& row : actions()) {
