@@ -82,6 +82,7 @@ class AroundPlanes {
 /// One for each of ProgramData::around; null for those that nothing asks for.
 using AroundList = std::vector<std::shared_ptr<AroundPlanes>>;
 
+/// What is kept around a strip, for all layers together.
 inline constexpr std::size_t kAroundBytes = std::size_t{32} << 20;
 
 struct AroundJob {

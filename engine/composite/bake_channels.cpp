@@ -32,20 +32,17 @@ Slot slot_of(Channel channel) {
     return Slot::BaseColor;
 }
 
-/// A tile with its colours taken to linear light.
-ChannelTile linear_tile(const ProgramData& program, ChannelBits wanted, const TileSpan& span,
-                        TilePlanes& planes) {
-    ChannelTile tile{.x = span.x, .y = span.y, .count = span.count};
-    for (const ChannelInfo& entry : kChannels) {
-        const ChannelBits bit = channel_bit(entry.channel);
-        if ((wanted & bit) == 0) continue;
-        float* components[3] = {};
-        for (int k = 0; k < component_count(entry.channel); ++k)
-            components[k] = planes.channel(0, entry.channel, k);
-        if ((program.top_encoded & bit) != 0) decode_tile(components, span.count);
-        std::copy_n(components, 3, tile.planes[static_cast<std::size_t>(entry.channel)].begin());
-    }
-    return tile;
+/// Copies a channel of a tile into its planes, a colour in linear light.
+void keep_channel(const ProgramData& program, Channel channel, const TileSpan& span,
+                  TilePlanes& tile, ChannelPlanes& out) {
+    float* components[3] = {};
+    for (int k = 0; k < component_count(channel); ++k) components[k] = tile.channel(0, channel, k);
+    if ((program.top_encoded & channel_bit(channel)) != 0) decode_tile(components, span.count);
+    auto& planes = out.planes[static_cast<std::size_t>(channel)];
+    for (int k = 0; k < component_count(channel); ++k)
+        std::copy_n(
+            components[k], span.count,
+            planes[static_cast<std::size_t>(k)].data() + row_start(span.y, out.size) + span.x);
 }
 
 }  // namespace
@@ -57,9 +54,8 @@ bool varies(const Program& program, Channel channel) {
         program.slots()[static_cast<std::size_t>(slot_of(channel))]);
 }
 
-Status bake_tiles(const Program& program, ImageProvider& images, int size,
-                  const std::vector<Channel>& wanted, const ChannelSink& sink,
-                  const Progress& progress) {
+Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& images, int size,
+                                    const std::vector<Channel>& wanted, const Progress& progress) {
     const ProgramData& data = program.data();
     ChannelBits channels = 0;
     for (const Channel channel : wanted) channels |= channel_bit(channel);
@@ -67,40 +63,26 @@ Status bake_tiles(const Program& program, ImageProvider& images, int size,
     if ((channels & channel_bit(Channel::Normal)) != 0) read |= channel_bit(Channel::Height);
     const Result<BoundImages> bound = images_for_bake(data, read, size, images);
     if (!bound) return passed_on(bound);
-    const bool done = composite_tiles(
-        {.program = &data,
-         .images = &*bound,
-         .wanted = channels,
-         .size = size,
-         .rect = {0, 0, size, size}},
-        [&](const TileSpan& span, TilePlanes& planes) {
-            sink(linear_tile(data, channels, span, planes));
-        },
-        progress);
-    if (!done) return failure("baking was cancelled");
-    return {};
-}
 
-Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& images, int size,
-                                    const std::vector<Channel>& wanted, const Progress& progress) {
     ChannelPlanes out;
     out.size = size;
     for (const Channel channel : wanted)
         for (int k = 0; k < component_count(channel); ++k)
             out.planes[static_cast<std::size_t>(channel)][static_cast<std::size_t>(k)].resize(
                 row_start(size, size));
-    const auto keep = [&](const ChannelTile& tile) {
-        for (const Channel channel : wanted)
-            for (int k = 0; k < component_count(channel); ++k) {
-                float* const plane =
-                    out.planes[static_cast<std::size_t>(channel)][static_cast<std::size_t>(k)]
-                        .data();
-                std::copy_n(tile.plane(channel, k), tile.count,
-                            plane + row_start(tile.y, size) + tile.x);
-            }
-    };
-    if (const Status baked = bake_tiles(program, images, size, wanted, keep, progress); !baked)
-        return passed_on(baked);
+    const bool done = composite_tiles(
+        {.program = &data,
+         .images = &*bound,
+         .wanted = channels,
+         .size = size,
+         .rect = {0, 0, size, size}},
+        [&](const TileSpan& span, TilePlanes& tile) {
+            for (const ChannelInfo& entry : kChannels)
+                if ((channels & channel_bit(entry.channel)) != 0)
+                    keep_channel(data, entry.channel, span, tile, out);
+        },
+        progress);
+    if (!done) return failure("baking was cancelled");
     return out;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Single channels of a stack as floats: for maps in more than 8 bits and in other packings
+/// Single channels of a stack as floats, whole: for maps in more than 8 bits and in other packings
 /// than glTF's.
 
 #include <array>
-#include <functional>
 
 #include "composite/composite.h"
 
@@ -23,29 +22,9 @@ struct ChannelPlanes {
     }
 };
 
-/// Some texels of a row: (x, y) to (x + count - 1, y).
-struct ChannelTile {
-    int x = 0;
-    int y = 0;
-    int count = 0;
-    /// By channel and component, as in ChannelPlanes; null for channels that were not asked for.
-    std::array<std::array<const float*, 3>, kChannelCount> planes = {};
-
-    const float* plane(Channel channel, int component = 0) const {
-        return planes[static_cast<std::size_t>(channel)][static_cast<std::size_t>(component)];
-    }
-};
-/// Takes a tile; called from several threads at once, for other tiles.
-using ChannelSink = std::function<void(const ChannelTile& tile)>;
-
 /// Whether any texel of the channel can differ from another one, or from what a material without
 /// maps has.
 bool varies(const Program& program, Channel channel);
-
-/// Gives every texel to the sink, so that no whole plane has to be kept. Fails as bake_maps does.
-Status bake_tiles(const Program& program, ImageProvider& images, int size,
-                  const std::vector<Channel>& wanted, const ChannelSink& sink,
-                  const Progress& progress = {});
 
 /// Fails as bake_maps does.
 Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& images, int size,

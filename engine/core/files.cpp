@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -118,6 +119,23 @@ std::filesystem::path executable_folder() {
     return error ? std::filesystem::path() : executable.parent_path();
 }
 
+/// What belongs to the program: `installed` from the folder above its own, else `built` in the
+/// nearest folder around it that `is_found` says has it.
+Result<std::filesystem::path> found_by_program(
+    const std::filesystem::path& installed, const std::filesystem::path& built,
+    const std::function<bool(const std::filesystem::path& folder)>& is_found) {
+    const auto program = executable_folder();
+    const auto beside = (program / ".." / installed).lexically_normal();
+    std::error_code error;
+    if (std::filesystem::exists(beside, error)) return beside;
+    for (auto folder = program; folder.has_relative_path(); folder = folder.parent_path())
+        if (is_found(folder)) return folder / built;
+    return failure(
+        "'{}' is neither beside the program ({}) nor in a source tree or build around it; "
+        "reinstall Patina",
+        built.filename().string(), shown(beside));
+}
+
 }  // namespace
 
 Result<Bytes> read_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
@@ -162,31 +180,21 @@ Status write_file_atomically(const std::filesystem::path& path, std::string_view
 }
 
 Result<std::filesystem::path> resource_folder(std::string_view name) {
-    const auto program = executable_folder();
-    std::error_code error;
-    const auto installed = program / ".." / "share" / "patina" / name;
-    if (std::filesystem::is_directory(installed, error)) return installed.lexically_normal();
-    for (auto folder = program; folder.has_relative_path(); folder = folder.parent_path()) {
-        const bool is_source_tree = std::filesystem::exists(folder / "CMakePresets.json", error);
-        if (is_source_tree && std::filesystem::is_directory(folder / name, error))
-            return folder / name;
-    }
-    return failure(
-        "the folder '{}' is neither beside the program ({}) nor in a source tree above it; "
-        "reinstall Patina",
-        name, shown(installed.lexically_normal()));
+    const auto is_found = [&](const std::filesystem::path& folder) {
+        std::error_code error;
+        return std::filesystem::exists(folder / "CMakePresets.json", error) &&
+               std::filesystem::is_directory(folder / name, error);
+    };
+    return found_by_program(std::filesystem::path("share") / "patina" / name, name, is_found);
 }
 
 Result<std::filesystem::path> module_file(std::string_view name) {
-    const auto program = executable_folder();
-    std::error_code error;
-    const auto installed = program / ".." / "lib" / "patina" / name;
-    if (std::filesystem::exists(installed, error)) return installed.lexically_normal();
-    for (auto folder = program; folder.has_relative_path(); folder = folder.parent_path())
-        if (std::filesystem::exists(folder / "engine" / name, error))
-            return folder / "engine" / name;
-    return failure("{} is not where it is installed ({}); reinstall Patina", name,
-                   shown(installed.lexically_normal()));
+    const auto built = std::filesystem::path("engine") / name;
+    const auto is_found = [&](const std::filesystem::path& folder) {
+        std::error_code error;
+        return std::filesystem::is_regular_file(folder / built, error);
+    };
+    return found_by_program(std::filesystem::path("lib") / "patina" / name, built, is_found);
 }
 
 }  // namespace patina

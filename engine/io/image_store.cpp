@@ -161,10 +161,16 @@ Result<ImageAssetPtr> ImageStore::add_converted(std::span<const std::byte> file,
     const auto image = (*open)->pixels();
     if (!image) return passed_on(image);
     const bool is_float = (*image)->type == SampleType::F32;
-    if (is_float && !is_within_0_to_1(**image))
-        return add(std::make_shared<const Bytes>(file.begin(), file.end()), name);
+    const ImageHeader& header = (*open)->header();
+    if (is_float && !is_within_0_to_1(**image)) {
+        ImageAsset asset =
+            asset_of(content_hash(**image), **image, name, mime_type_of_format(header.format),
+                     std::make_shared<const Bytes>(file.begin(), file.end()));
+        asset.color_space = header.color_space;
+        return add_decoded(file_hash, *image, std::move(asset));
+    }
     return add_as_png(file_hash, is_float ? shared_as_u16(**image) : *image, name,
-                      (*open)->header().color_space);
+                      header.color_space);
 }
 
 std::vector<Result<ImageAssetPtr>> ImageStore::add_files(
@@ -189,6 +195,13 @@ Result<ImageAssetPtr> ImageStore::add_as_png(const Hash128& file, const ImagePtr
     ImageAsset asset =
         asset_of(content_hash(*image), *image, name, "image/png", EncodedImage::when_asked(encode));
     asset.color_space = color_space;  // which the PNG will say nothing of
+    return add_decoded(file, image, std::move(asset));
+}
+
+/// Takes decoded pixels in, for which no memory was set aside before.
+Result<ImageAssetPtr> ImageStore::add_decoded(const Hash128& file, const ImagePtr& image,
+                                              ImageAsset asset) {
+    if (const auto fits = state_->reserve(image->data.size()); !fits) return passed_on(fits);
     return state_->keep_asset(file, image, std::move(asset));
 }
 

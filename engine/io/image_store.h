@@ -62,6 +62,7 @@ class ImageStore final : public ImageProvider {
     Result<ImageAssetPtr> add_converted(std::span<const std::byte> file, std::string_view name);
     Result<ImageAssetPtr> add_as_png(const Hash128& file, const ImagePtr& image,
                                      std::string_view name, ColorSpace color_space);
+    Result<ImageAssetPtr> add_decoded(const Hash128& file, const ImagePtr& image, ImageAsset asset);
 
     struct State;
     std::unique_ptr<State> state_;

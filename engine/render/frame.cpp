@@ -219,7 +219,7 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
 Status draw_averaged(RendererState& state, const View& view, glm::ivec2 size,
                      const gl::Framebuffer& sum, int draws, const FrameTarget& target) {
     // The floor's shadows are those of whole lamps.
-    if (has_floor(view.background) && view.ground_shadow)
+    if (shades_floor(view))
         if (Status lit = ready_lights(state, view); !lit) return lit;
     const glm::ivec2 side_size = side_area(view, size, FrameSide::Left).gbuffer_size;
     const FrameCamera camera =

@@ -92,6 +92,10 @@ glm::mat3 environment_from_world(float rotation_degrees) {
         glm::rotate(glm::mat4(1.0f), glm::radians(-rotation_degrees), glm::vec3(0.0f, 1.0f, 0.0f)));
 }
 
+glm::mat3 world_from_environment(float rotation_degrees) {
+    return glm::transpose(environment_from_world(rotation_degrees));
+}
+
 namespace {
 
 /// Laid out as passes/environment.glsl says.

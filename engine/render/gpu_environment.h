@@ -39,6 +39,8 @@ Result<EnvironmentTables> upload_environment_tables(const PbrTerms& terms);
 
 /// From world directions to those of the map: the map turns counter-clockwise from above.
 glm::mat3 environment_from_world(float rotation_degrees);
+/// And back.
+glm::mat3 world_from_environment(float rotation_degrees);
 
 /// Sets what passes/environment.glsl reads. Takes texture units 8 to 10, and 13.
 void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,

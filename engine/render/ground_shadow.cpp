@@ -221,16 +221,18 @@ std::vector<std::uint8_t> floor_light(const GroundShadow& shadow, const SkyShare
     for (int turn = 0; turn < kTurns; ++turn)
         shares[static_cast<std::size_t>(turn)] = sector_shares(sky, turn, rotation_degrees);
     std::vector<float> dark(shadow.hidden.size());
-    for (int z = 0; z < shadow.side; ++z)
-        for (int x = 0; x < shadow.side; ++x) {
-            const std::size_t i =
-                static_cast<std::size_t>(z) * static_cast<std::size_t>(shadow.side) +
-                static_cast<std::size_t>(x);
-            const auto turn = static_cast<std::size_t>(turn_of(x, z));
-            dark[i] =
-                hidden_share(shadow.hidden[i], shares[turn]) *
-                edge_fade(static_cast<float>(x) + 0.5f, static_cast<float>(z) + 0.5f, shadow.side);
-        }
+    parallel_for(0, shadow.side, 4, [&](std::int64_t first, std::int64_t last) {
+        for (int z = static_cast<int>(first); z < static_cast<int>(last); ++z)
+            for (int x = 0; x < shadow.side; ++x) {
+                const std::size_t i =
+                    static_cast<std::size_t>(z) * static_cast<std::size_t>(shadow.side) +
+                    static_cast<std::size_t>(x);
+                const auto turn = static_cast<std::size_t>(turn_of(x, z));
+                dark[i] = hidden_share(shadow.hidden[i], shares[turn]) *
+                          edge_fade(static_cast<float>(x) + 0.5f, static_cast<float>(z) + 0.5f,
+                                    shadow.side);
+            }
+    });
     const std::vector<float> smoothed = smooth(dark, shadow.side);
     std::vector<std::uint8_t> light(smoothed.size());
     std::transform(smoothed.begin(), smoothed.end(), light.begin(), [](float value) {

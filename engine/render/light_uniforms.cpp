@@ -24,7 +24,7 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
 
 Status ready_lights(RendererState& state, const View& view, const std::optional<LampPoint>& point) {
     state.lights.set(view.lights);
-    if (has_floor(view.background) && view.ground_shadow)
+    if (shades_floor(view))
         update_ground_shadow(state.shadow, state.environment->sky,
                              view.environment_rotation_degrees);
     return draw_shadow_maps(state, view, point);
@@ -32,13 +32,12 @@ Status ready_lights(RendererState& state, const View& view, const std::optional<
 
 void set_lighting(gl::Program& program, const View& view, const Shading& shading,
                   const GpuEnvironment& environment) {
-    const glm::mat3 world_from_environment =
-        glm::transpose(environment_from_world(view.environment_rotation_degrees));
+    const glm::mat3 turned = world_from_environment(view.environment_rotation_degrees);
     std::array<glm::vec4, kMostKeys> towards = {};
     std::array<glm::vec4, kMostKeys> irradiance = {};
     for (std::size_t i = 0; i < environment.keys.size(); ++i) {
         const EnvironmentKey& key = environment.keys[i];
-        towards[i] = glm::vec4(-(world_from_environment * key.direction_world), 0.0f);
+        towards[i] = glm::vec4(-(turned * key.direction_world), 0.0f);
         irradiance[i] = glm::vec4(view.environment_intensity * key.irradiance_linear, 0.0f);
     }
     program.set("key_direction", towards_key(view, -glm::vec3(towards[0])));

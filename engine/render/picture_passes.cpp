@@ -230,8 +230,7 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     ShaderVariant variant{kFullScreenVertexFile, "passes/post.frag", {}};
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, side.view);
-    const bool floor_shadows =
-        has_floor(side.view.background) && side.view.ground_shadow && has_shadows(state);
+    const bool floor_shadows = shades_floor(side.view) && has_shadows(state);
     variant.constants.push_back(shader_constant("SHADOWS", floor_shadows));
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);

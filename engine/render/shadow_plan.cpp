@@ -22,20 +22,18 @@ constexpr float kSameLightCosine = 0.966f;  // 15 degrees
 constexpr float kWidestAngle = 1.309f;  // 75 degrees
 
 void plan_suns(const View& view, const GpuEnvironment& environment, ShadowPlan& plan) {
-    const glm::mat3 world_from_environment =
-        glm::transpose(environment_from_world(view.environment_rotation_degrees));
+    const glm::mat3 turned = world_from_environment(view.environment_rotation_degrees);
     for (const EnvironmentSun& sun : environment.suns) {
         if (plan.lights.size() == kMostShadows) break;
-        plan.lights.push_back({.towards_world = world_from_environment * sun.towards_world,
-                               .radius = sun.radius_radians});
+        plan.lights.push_back(
+            {.towards_world = turned * sun.towards_world, .radius = sun.radius_radians});
     }
     plan.suns = static_cast<int>(plan.lights.size());
 }
 
 void plan_key_light(const View& view, const GpuEnvironment& environment, ShadowPlan& plan) {
-    const glm::vec3 towards =
-        -(glm::transpose(environment_from_world(view.environment_rotation_degrees)) *
-          environment.keys.front().direction_world);
+    const glm::vec3 towards = -(world_from_environment(view.environment_rotation_degrees) *
+                                environment.keys.front().direction_world);
     for (int i = 0; i < plan.suns; ++i)
         if (glm::dot(plan.lights[static_cast<std::size_t>(i)].towards_world, towards) >
             kSameLightCosine)

@@ -43,8 +43,8 @@ struct ShadowPlan {
     int key = -1;  ///< of what the traditional models see of the environment
 };
 /// The suns of the environment first; the key light of the traditional models where one is on
-/// screen, which takes the map of a sun that is near it; then the lamps that light
-/// the scene most, by their range, cone and side too.
+/// screen, which takes the map of a sun that is near it; then the lamps that light the scene most,
+/// by their range, cone and side too.
 /// @param point  set: lamps that have a size are that point of themselves
 ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment, const Bounds& bounds,
                        const std::optional<LampPoint>& point = std::nullopt);

@@ -107,11 +107,11 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-/// Whether the model stands on something in its picture: the studio's floor, or a ground in the
-/// environment that is seen by its shadow alone.
-inline bool has_floor(const Background& background) {
-    return background.kind != Background::Kind::Color &&
-           background.kind != Background::Kind::Transparent;
+/// Whether the model leaves a shadow on what it stands on in its picture: the studio's floor, or a
+/// ground in the environment that is seen by its shadow alone.
+inline bool shades_floor(const View& view) {
+    return view.ground_shadow && view.background.kind != Background::Kind::Color &&
+           view.background.kind != Background::Kind::Transparent;
 }
 /// Whether a side that is on screen is shaded physically.
 inline bool shows_pbr(const View& view) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lamps that have a size. While things move: diffuse part and highlight in closed form. In stills that converge: directions towards the lamp and of the
-// surface's own lobe, weighted by the balance heuristic as those of environment_samples.glsl are.
+// Lamps that have a size. While things move: diffuse part and highlight in closed form. In stills
+// that converge: directions towards the lamp and of the surface's own lobe, weighted by the balance
+// heuristic as those of environment_samples.glsl are.
 // Constant: AREA_LIGHTS; 0 leaves all of it out, which compiles faster.
 
 #include "passes/camera.glsl"

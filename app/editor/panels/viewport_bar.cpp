@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/formulae/formulae.h"
 #include "document/edits.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/mode_icons.h"
@@ -151,13 +150,10 @@ void path_items(PopupMenu& menu, render::View& view) {
 
 /// The colour of the plain background, which is stored as it is on screen.
 void background_color(Ui& ui, const Rect& rect, glm::vec3& srgb) {
-    const formulae::Real3 linear = formulae::linear_from_srgb({srgb.x, srgb.y, srgb.z});
     const auto chosen =
         color_field(ui, rect, {.label = "Background colour", .tooltip = "What is behind the model"},
-                    glm::vec3(linear.x, linear.y, linear.z));
-    if (!chosen) return;
-    const formulae::Real3 shown = formulae::srgb_from_linear({chosen->x, chosen->y, chosen->z});
-    srgb = {shown.x, shown.y, shown.z};
+                    linear_from_srgb(srgb));
+    if (chosen) srgb = srgb_from_linear(*chosen);
 }
 
 void background_menu(Ui& ui, ViewState& state) {

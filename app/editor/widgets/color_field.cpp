@@ -13,21 +13,22 @@
 #include "editor/widgets/text_field.h"
 
 namespace patina::editor {
-namespace {
 
-glm::vec3 encoded(const glm::vec3& linear) {
+glm::vec3 srgb_from_linear(const glm::vec3& linear) {
     const auto channel = [](float value) {
         return static_cast<float>(formulae::srgb_from_linear(std::clamp(value, 0.0f, 1.0f)));
     };
     return {channel(linear.x), channel(linear.y), channel(linear.z)};
 }
 
-glm::vec3 decoded(const glm::vec3& srgb) {
+glm::vec3 linear_from_srgb(const glm::vec3& srgb) {
     const auto channel = [](float value) {
         return static_cast<float>(formulae::linear_from_srgb(std::clamp(value, 0.0f, 1.0f)));
     };
     return {channel(srgb.x), channel(srgb.y), channel(srgb.z)};
 }
+
+namespace {
 
 ImU32 packed(const glm::vec3& srgb) {
     const auto byte = [](float value) {
@@ -157,17 +158,17 @@ std::optional<glm::vec3> hex_field(Ui& ui, const Rect& rect, const glm::vec3& li
 /// What is in the popup: plane, hue, numbers, and the hexadecimal name.
 std::optional<glm::vec3> picker(Ui& ui, Rect rest, const glm::vec3& color_linear) {
     const Place place(ui, "Colour");
-    const glm::vec3 srgb = encoded(color_linear);
+    const glm::vec3 srgb = srgb_from_linear(color_linear);
     const Hsv hsv = remembered_hsv(srgb);
     std::optional<glm::vec3> result;
     if (const auto next = saturation_value_square(ui, rest.cut_top(ui.px(150)), hsv))
-        result = decoded(srgb_of(*next));
+        result = linear_from_srgb(srgb_of(*next));
     rest.cut_top(ui.px(8));
     if (const auto next = hue_bar(ui, rest.cut_top(ui.px(14)), hsv))
-        result = decoded(srgb_of(*next));
+        result = linear_from_srgb(srgb_of(*next));
     rest.cut_top(ui.px(10));
     if (const auto next = component_fields(ui, rest.cut_top(ui.px(24)), srgb))
-        result = decoded(*next);
+        result = linear_from_srgb(*next);
     rest.cut_top(ui.px(6));
     Rect last = rest.cut_top(ui.px(24));
     fill(ui, last.cut_left(ui.px(48)), packed(srgb), 4);
@@ -182,11 +183,11 @@ std::optional<glm::vec3> picker(Ui& ui, Rect rest, const glm::vec3& color_linear
 }  // namespace
 
 ImU32 screen_color(const glm::vec3& color_linear) {
-    return packed(encoded(color_linear));
+    return packed(srgb_from_linear(color_linear));
 }
 
 std::string hex_color(const glm::vec3& color_linear) {
-    const glm::vec3 srgb = encoded(color_linear);
+    const glm::vec3 srgb = srgb_from_linear(color_linear);
     const auto byte = [](float value) { return static_cast<int>(std::lround(value * 255.0f)); };
     return fmt::format("#{:02X}{:02X}{:02X}", byte(srgb.x), byte(srgb.y), byte(srgb.z));
 }
@@ -210,7 +211,7 @@ std::optional<glm::vec3> color_from_hex(std::string_view words) {
         if (digits == 1) byte *= 17;
         srgb[static_cast<int>(i)] = static_cast<float>(byte) / 255.0f;
     }
-    return decoded(srgb);
+    return linear_from_srgb(srgb);
 }
 
 std::optional<glm::vec3> color_popup(Ui& ui, const Rect& anchor, const glm::vec3& color_linear) {

@@ -20,6 +20,10 @@ std::string hex_color(const glm::vec3& color_linear);
 /// The colour of "#61766F", "61766f" or "#678"; nothing for other text.
 std::optional<glm::vec3> color_from_hex(std::string_view text);
 
+/// Each component within 0..1.
+glm::vec3 srgb_from_linear(const glm::vec3& linear);
+glm::vec3 linear_from_srgb(const glm::vec3& srgb);
+
 struct ColorSpec {
     std::string_view label;
     std::string_view tooltip = {};

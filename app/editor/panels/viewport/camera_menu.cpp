@@ -12,7 +12,7 @@ constexpr float kMenuWidth = 216.0f;
 
 /// As photographers think of it: the focal length on a frame 24 mm high.
 double focal_length_mm(double fov_y_degrees) {
-    return 12.0 / std::tan(0.5 * fov_y_degrees * 0.017453292519943295);
+    return 12.0 / std::tan(glm::radians(0.5 * fov_y_degrees));
 }
 
 void fov_field(Ui& ui, const Rect& rect, render::Camera& camera) {
