@@ -42,6 +42,12 @@ void select_draw_buffers(std::size_t count) {
     glDrawBuffers(static_cast<GLsizei>(points.size()), points.data());
 }
 
+void bind_to_copy(const Framebuffer& from, const Framebuffer& to) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
+    glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
 
 Result<Framebuffer> Framebuffer::make(const FramebufferDescription& description) {
@@ -103,13 +109,21 @@ std::vector<float> Framebuffer::read_color(std::size_t index, glm::ivec2 offset,
     return texels;
 }
 
-void copy_depth(const Framebuffer& from, const Framebuffer& to) {
+void copy_depth(const Framebuffer& from, glm::ivec2 from_offset, const Framebuffer& to,
+                glm::ivec2 to_offset, glm::ivec2 size) {
+    bind_to_copy(from, to);
+    const glm::ivec2 from_end = from_offset + size;
+    const glm::ivec2 to_end = to_offset + size;
+    glBlitFramebuffer(from_offset.x, from_offset.y, from_end.x, from_end.y, to_offset.x,
+                      to_offset.y, to_end.x, to_end.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+void copy_color(const Framebuffer& from, const Framebuffer& to) {
     assert(from.size() == to.size());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
-    glDisable(GL_SCISSOR_TEST);
+    bind_to_copy(from, to);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     const glm::ivec2 size = from.size();
-    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace patina::gl

@@ -58,7 +58,12 @@ class Framebuffer {
     Object object_;
 };
 
-/// Copies depth from one framebuffer to another of the same size and depth format.
-void copy_depth(const Framebuffer& from, const Framebuffer& to);
+/// Copies a rectangle of depth, whose lower left corners are given, to a framebuffer of the same
+/// depth format.
+void copy_depth(const Framebuffer& from, glm::ivec2 from_offset, const Framebuffer& to,
+                glm::ivec2 to_offset, glm::ivec2 size);
+
+/// Copies the first colour target to that of a framebuffer of the same size and format.
+void copy_color(const Framebuffer& from, const Framebuffer& to);
 
 }  // namespace patina::gl

@@ -24,6 +24,8 @@ GLenum comparison(DepthTest test) {
             return GL_LEQUAL;
         case DepthTest::Equal:
             return GL_EQUAL;
+        case DepthTest::Greater:
+            return GL_GREATER;
         case DepthTest::Off:
         case DepthTest::Always:
             return GL_ALWAYS;

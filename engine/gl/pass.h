@@ -24,7 +24,7 @@
 
 namespace patina::gl {
 
-enum class DepthTest { Off, Less, LessOrEqual, Equal, Always };
+enum class DepthTest { Off, Less, LessOrEqual, Equal, Greater, Always };
 enum class Cull { None, Back, Front };
 enum class Blend {
     Replace,        // source

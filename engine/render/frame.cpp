@@ -42,10 +42,8 @@ Status draw_side_in_steps(RendererState& state, const SideView& side, const Fram
     if (is_forward(side.view, side.shading)) {
         if (Status done = draw_forward(state, bare_side, camera, SurfaceSet::Opaque, local); !done)
             return done;
-    } else {
-        gl::copy_depth(*inputs.gbuffer, **radiance);
-        if (Status done = draw_lighting(state, bare_side, camera, inputs, local); !done)
-            return done;
+    } else if (Status done = draw_deferred(state, bare_side, camera, inputs, local); !done) {
+        return done;
     }
     if (shows_blended(state, side.view))
         if (Status done = draw_forward(state, bare_side, camera, SurfaceSet::Blended, local); !done)
@@ -57,7 +55,7 @@ Status draw_side(RendererState& state, const SideView& side, const FrameCamera& 
                  const LightingInputs& inputs, const PictureTarget& target) {
     if (shows_blended(state, side.view) || is_forward(side.view, side.shading))
         return draw_side_in_steps(state, side, camera, inputs, target);
-    return draw_lighting(state, side, camera, inputs, target);
+    return draw_deferred(state, side, camera, inputs, target);
 }
 
 Result<LightingInputs> draw_inputs(RendererState& state, const View& view,
@@ -169,6 +167,20 @@ SideArea side_area(const View& view, glm::ivec2 size, FrameSide side) {
     const int step = size.x / (shows_difference_beside(view) ? 3 : 2);
     const int last = shows_difference_beside(view) ? 2 * step : step;
     return {{std::max(1, size.x - last), size.y}, {side == FrameSide::Right ? step : 0, 0}};
+}
+
+std::vector<gl::Viewport> surface_areas(const RendererState& state, const View& view,
+                                        glm::ivec2 size) {
+    const SideArea right = side_area(view, size, FrameSide::Right);
+    const FrameCamera camera =
+        frame_camera(view, state.scene->bounds_world, right.gbuffer_size, glm::vec2(0.0f));
+    const gl::Viewport seen = area_seen(state.scene->bounds_world, camera);
+    std::vector<gl::Viewport> areas = {seen};
+    if (view.compare != CompareMode::TwoViews) return areas;
+    areas.push_back({seen.offset + right.offset, seen.size});
+    if (shows_difference_beside(view))
+        areas.push_back({seen.offset + glm::ivec2(size.x - right.gbuffer_size.x, 0), seen.size});
+    return areas;
 }
 
 Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size) {

@@ -41,6 +41,10 @@ struct SidePictures {
     const gl::Framebuffer* left = nullptr;
     const gl::Framebuffer* right = nullptr;
 };
+/// Where a frame may show surfaces: one area of each picture in it.
+std::vector<gl::Viewport> surface_areas(const RendererState& state, const View& view,
+                                        glm::ivec2 size);
+
 Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size);
 
 /// The costs of the last frame drawn.

@@ -32,6 +32,24 @@ FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size
     return camera;
 }
 
+gl::Viewport area_seen(const Bounds& bounds, const FrameCamera& camera) {
+    glm::vec2 low(camera.size);
+    glm::vec2 high(0.0f);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 point((corner & 1) != 0 ? bounds.high.x : bounds.low.x,
+                              (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+                              (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
+        const glm::vec4 clip = camera.clip_from_world * glm::vec4(point, 1.0f);
+        if (clip.w <= 0.0f) return {{0, 0}, camera.size};
+        const glm::vec2 pixel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * glm::vec2(camera.size);
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    const glm::ivec2 first(glm::max(glm::floor(low), glm::vec2(0.0f)));
+    const glm::ivec2 end(glm::min(glm::ceil(high), glm::vec2(camera.size)));
+    return {first, glm::max(end - first, glm::ivec2(0))};
+}
+
 void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
                    const gl::State& base, const std::vector<std::size_t>& order,
                    SurfaceSet surfaces) {

@@ -27,6 +27,9 @@ struct FrameCamera {
 FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size,
                          glm::vec2 jitter_pixels);
 
+/// The pixels that a box can cover, of a picture that the camera sees it in.
+gl::Viewport area_seen(const Bounds& bounds, const FrameCamera& camera);
+
 enum class SurfaceSet { Opaque, Blended, All };
 
 /// Draws the items of a set in that order with a program that has the inputs of surface.vert and

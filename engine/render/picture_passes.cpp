@@ -54,8 +54,9 @@ void add_output_constants(Constants& constants, const View& view, OutputMode out
     constants.push_back(shader_constant("TONE_MAP", view.tone_map));
 }
 
-void add_background_constants(Constants& constants, const View& view) {
+void add_background_constants(Constants& constants, const RendererState& state, const View& view) {
     constants.push_back(shader_constant("BACKGROUND_KIND", view.background.kind));
+    constants.push_back(shader_constant("SHADOWS", shades_floor(view) && has_shadows(state)));
 }
 
 void set_camera(gl::Program& program, const FrameCamera& camera, const PictureTarget& target) {
@@ -76,15 +77,29 @@ glm::vec3 linear_color(const glm::vec3& srgb) {
     return {linear.x, linear.y, linear.z};
 }
 
+/// What stands behind the surfaces.
+struct Backdrop {
+    const View& view;
+    const EnvironmentTables& tables;
+    int draw_index = 0;
+    int floor_draws = 1;
+};
+
 void set_background(gl::Pass& pass, gl::Program& program, const RendererState& state,
-                    const View& view, int floor_draws = 1) {
+                    const Backdrop& backdrop) {
+    const View& view = backdrop.view;
     program.set("background_color", linear_color(view.background.color_srgb));
     pass.bind_texture(program, "ground_shadow", kGroundShadowUnit, state.shadow.light,
                       &state.linear);
     program.set("ground_shadow_extent", view.ground_shadow ? state.shadow.shadow.extent : 0.0f);
     program.set("floor_center", state.shadow.shadow.center_world);
     program.set("floor_radius", std::max(state.scene->bounds_world.radius(), 1e-6f));
-    program.set("floor_draws", floor_draws);
+    program.set("scene_low", state.scene->bounds_world.low);
+    program.set("scene_high", state.scene->bounds_world.high);
+    program.set("floor_draws", backdrop.floor_draws);
+    bind_environment(pass, program, *state.environment, backdrop.tables, state.linear, view);
+    state.lights.bind(pass, program);
+    bind_shadows(pass, program, state, backdrop.draw_index);
 }
 
 /// What a pass reads beside surfaces.
@@ -143,7 +158,6 @@ ShaderVariant lighting_variant(const RendererState& state, const SideView& side,
     ShaderVariant variant{kFullScreenVertexFile, "passes/lighting.frag", {}};
     add_shading_constants(variant.constants, state, side, target);
     add_output_constants(variant.constants, side.view, target.output);
-    add_background_constants(variant.constants, side.view);
     variant.constants.push_back(shader_constant("CHANNEL", side.view.channel));
     variant.constants.push_back(
         shader_constant("CHANNEL_DISPLAY", info(side.view.channel).display));
@@ -166,11 +180,25 @@ gl::PassDescription full_screen_pass(std::string label, const PictureTarget& tar
             .state = full_screen_state(target)};
 }
 
-}  // namespace
+/// Pixels around a surface that an edge of it is smoothed over.
+constexpr int kSmoothingReach = 4;
 
+gl::Viewport grown_within(const gl::Viewport& area, int by, glm::ivec2 size) {
+    const glm::ivec2 low = glm::max(area.offset - by, glm::ivec2(0));
+    const glm::ivec2 high = glm::min(area.offset + area.size + by, size);
+    return {low, glm::max(high - low, glm::ivec2(0))};
+}
+
+/// Whether nothing is drawn where there is no surface.
+bool background_is_empty(const View& view, const PictureTarget& target) {
+    if (view.background.kind == Background::Kind::Transparent) return true;
+    return view.channel != ChannelView::Final && target.output == OutputMode::Radiance;
+}
+
+/// @param only_pixel  at least 0: every pixel shows that one of the G-buffer
 Status draw_lighting(RendererState& state, const SideView& side, const FrameCamera& camera,
                      const LightingInputs& inputs, const PictureTarget& target,
-                     const std::optional<glm::ivec2>& only_pixel) {
+                     const gl::PassDescription& description, glm::ivec2 only_pixel) {
     const Result<gl::Program*> found =
         state.shaders.program(lighting_variant(state, side, inputs, target));
     if (!found) return passed_on(found);
@@ -178,16 +206,61 @@ Status draw_lighting(RendererState& state, const SideView& side, const FrameCame
     if (!tables) return passed_on(tables);
     gl::Program& program = **found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Lighting");
-    gl::Pass pass(full_screen_pass("lighting", target));
+    gl::Pass pass(description);
     set_camera(program, camera, target);
     set_output(program, side.view);
-    set_background(pass, program, state, side.view);
     set_channel_range(program, state, side.view, camera);
-    program.set("gbuffer_pixel_override", only_pixel.value_or(glm::ivec2(-1)));
+    program.set("gbuffer_pixel_override", only_pixel);
     bind_light(pass, program, state, {side, target, **tables});
     bind_inputs(pass, program, inputs);
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
+}
+
+/// Where the target's depth has no surface.
+Status draw_background(RendererState& state, const SideView& side, const FrameCamera& camera,
+                       const PictureTarget& target) {
+    const bool of_channel = side.view.channel != ChannelView::Final;
+    ShaderVariant variant{kFullScreenVertexFile, "passes/background.frag", {}};
+    add_output_constants(variant.constants, side.view, target.output);
+    add_background_constants(variant.constants, state, side.view);
+    variant.constants.push_back(shader_constant("CHANNEL_BACKGROUND", of_channel));
+    const Result<gl::Program*> found = state.shaders.program(variant);
+    if (!found) return passed_on(found);
+    const auto tables = environment_tables(state, side.shading.terms);
+    if (!tables) return passed_on(tables);
+    gl::Program& program = **found;
+    const PassTimers::Scope timed = state.timers.measure(side.side, "Background");
+    gl::PassDescription description = full_screen_pass("background", target);
+    description.state.depth_test = gl::DepthTest::LessOrEqual;
+    gl::Pass pass(description);
+    set_camera(program, camera, target);
+    set_output(program, side.view);
+    set_background(pass, program, state, {side.view, **tables, target.draw_index});
+    pass.draw(program, state.full_screen, {.count = 3});
+    return {};
+}
+
+}  // namespace
+
+Status draw_deferred(RendererState& state, const SideView& side, const FrameCamera& camera,
+                     const LightingInputs& inputs, const PictureTarget& target) {
+    gl::copy_depth(*inputs.surfaces(), target.area.offset - target.picture_offset,
+                   *target.framebuffer, target.area.offset, target.area.size);
+    gl::PassDescription lighting = full_screen_pass("lighting", target);
+    lighting.state.depth_test = gl::DepthTest::Greater;
+    const bool empty = background_is_empty(side.view, target);
+    if (empty && !target.add) lighting.clear_colors = {glm::vec4(0.0f)};
+    if (Status lit = draw_lighting(state, side, camera, inputs, target, lighting, glm::ivec2(-1));
+        !lit)
+        return lit;
+    return empty ? Status{} : draw_background(state, side, camera, target);
+}
+
+Status draw_lit_pixel(RendererState& state, const SideView& side, const FrameCamera& camera,
+                      const LightingInputs& inputs, const PictureTarget& target, glm::ivec2 pixel) {
+    return draw_lighting(state, side, camera, inputs, target, full_screen_pass("lit pixel", target),
+                         pixel);
 }
 
 Status draw_forward(RendererState& state, const SideView& side, const FrameCamera& camera,
@@ -229,9 +302,7 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
                  const RadianceInput& radiance, const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/post.frag", {}};
     add_output_constants(variant.constants, side.view, target.output);
-    add_background_constants(variant.constants, side.view);
-    const bool floor_shadows = shades_floor(side.view) && has_shadows(state);
-    variant.constants.push_back(shader_constant("SHADOWS", floor_shadows));
+    add_background_constants(variant.constants, state, side.view);
     const Result<gl::Program*> found = state.shaders.program(variant);
     if (!found) return passed_on(found);
     const auto tables = environment_tables(state, side.shading.terms);
@@ -241,10 +312,9 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     gl::Pass pass(full_screen_pass("post", target));
     set_camera(program, camera, target);
     set_output(program, side.view);
-    set_background(pass, program, state, side.view, floor_draws_for(target, radiance.draws));
-    bind_environment(pass, program, *state.environment, **tables, state.linear, side.view);
-    state.lights.bind(pass, program);
-    bind_shadows(pass, program, state, target.draw_index);
+    set_background(
+        pass, program, state,
+        {side.view, **tables, target.draw_index, floor_draws_for(target, radiance.draws)});
     program.set("radiance_offset", radiance.picture_offset);
     program.set("radiance_share", 1.0f / static_cast<float>(radiance.draws));
     pass.bind_texture(program, "radiance", 0, radiance.sum->color(0));
@@ -271,16 +341,22 @@ Status draw_difference(RendererState& state, const View& view, const gl::Framebu
 }
 
 Status draw_smoothed(RendererState& state, const gl::Framebuffer& picture,
-                     const gl::Framebuffer& target) {
+                     const gl::Framebuffer& target, const std::vector<gl::Viewport>& areas) {
     const Result<gl::Program*> found =
         state.shaders.program({kFullScreenVertexFile, "passes/smooth.frag", {}});
     if (!found) return passed_on(found);
     gl::Program& program = **found;
     const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Anti-aliasing");
-    gl::Pass pass({.label = "smooth", .target = &target, .state = kFullScreenState});
-    program.set("texel_size", 1.0f / glm::vec2(picture.size()));
-    pass.bind_texture(program, "picture", 0, picture.color(0), &state.linear);
-    pass.draw(program, state.full_screen, {.count = 3});
+    gl::copy_color(picture, target);
+    for (const gl::Viewport& area : areas) {
+        gl::Pass pass({.label = "smooth",
+                       .target = &target,
+                       .scissor = grown_within(area, kSmoothingReach, picture.size()),
+                       .state = kFullScreenState});
+        program.set("texel_size", 1.0f / glm::vec2(picture.size()));
+        pass.bind_texture(program, "picture", 0, picture.color(0), &state.linear);
+        pass.draw(program, state.full_screen, {.count = 3});
+    }
     return {};
 }
 

@@ -38,12 +38,17 @@ struct SideView {
 struct LightingInputs {
     const gl::Framebuffer* gbuffer = nullptr;
     const gl::Framebuffer* inspection = nullptr;  ///< for channels of the inspection pass
+    const gl::Framebuffer* surfaces() const { return gbuffer ? gbuffer : inspection; }
 };
 
-/// Lights the G-buffer. With `only_pixel` every pixel shows that one of the G-buffer.
-Status draw_lighting(RendererState& state, const SideView& side, const FrameCamera& camera,
-                     const LightingInputs& inputs, const PictureTarget& target,
-                     const std::optional<glm::ivec2>& only_pixel = std::nullopt);
+/// Lights the G-buffer, and draws the background where it has no surface. The target has depth,
+/// which becomes that of the surfaces.
+Status draw_deferred(RendererState& state, const SideView& side, const FrameCamera& camera,
+                     const LightingInputs& inputs, const PictureTarget& target);
+
+/// Lights one pixel of the G-buffer, which has a surface, and shows it in all of the target.
+Status draw_lit_pixel(RendererState& state, const SideView& side, const FrameCamera& camera,
+                      const LightingInputs& inputs, const PictureTarget& target, glm::ivec2 pixel);
 
 /// Lights surfaces one by one as they are drawn. Opaque ones, from the nearest, clear the target
 /// first; blended ones, from the farthest, go over radiance with a transparent background and the
@@ -66,8 +71,8 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
 Status draw_difference(RendererState& state, const View& view, const gl::Framebuffer& left,
                        const gl::Framebuffer& right, const PictureTarget& target);
 
-/// Fast anti-aliasing of an sRGB-encoded picture.
+/// Fast anti-aliasing of an sRGB-encoded picture in and around these areas; the rest is copied.
 Status draw_smoothed(RendererState& state, const gl::Framebuffer& picture,
-                     const gl::Framebuffer& target);
+                     const gl::Framebuffer& target, const std::vector<gl::Viewport>& areas);
 
 }  // namespace patina::render

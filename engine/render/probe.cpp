@@ -85,8 +85,8 @@ Status draw_probe_channel(RendererState& state, const View& view, const Place& p
     const PictureTarget texel{.framebuffer = targets.values,
                               .area = {{static_cast<int>(view.channel), 0}, {1, 1}},
                               .output = OutputMode::Radiance};
-    return draw_lighting(state, {view, shading, place.side}, targets.camera, inputs, texel,
-                         place.pixel);
+    return draw_lit_pixel(state, {view, shading, place.side}, targets.camera, inputs, texel,
+                          place.pixel);
 }
 
 }  // namespace

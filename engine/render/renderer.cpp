@@ -84,17 +84,17 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       strip_gbuffer("strip gbuffer"),
       inspection(with_depth(color_target("inspection", gl::Format::Rgba32F))),
       radiance(with_depth(color_target("radiance", gl::Format::Rgba16F))),
-      left(color_target("left", gl::Format::Rgba16F)),
-      right(color_target("right", gl::Format::Rgba16F)),
-      picture(color_target("picture", gl::Format::Rgba8)),
+      left(with_depth(color_target("left", gl::Format::Rgba16F))),
+      right(with_depth(color_target("right", gl::Format::Rgba16F))),
+      picture(with_depth(color_target("picture", gl::Format::Rgba8))),
       smoothed(color_target("smoothed", gl::Format::Rgba8)),
       wires({.label = "wires",
              .colors = {{"wires", gl::Format::Rgba8}},
              .depth = gl::Format::Depth32F}),
-      strip(color_target("strip", gl::Format::Rgba8)),
-      accumulation(color_target("accumulation", gl::Format::Rgba32F)),
+      strip(with_depth(color_target("strip", gl::Format::Rgba8))),
+      accumulation(with_depth(color_target("accumulation", gl::Format::Rgba32F))),
       still(color_target("still", gl::Format::Rgba32F)),
-      refinement(color_target("refinement", gl::Format::Rgba32F)),
+      refinement(with_depth(color_target("refinement", gl::Format::Rgba32F))),
       refined(color_target("refined", gl::Format::Rgba8)),
       probe_values(color_target("probe", gl::Format::Rgba32F)) {}
 
@@ -195,7 +195,9 @@ Result<FrameStats> Renderer::draw(const View& view, PictureSize size) {
         view.compare != CompareMode::Difference) {
         const Result<gl::Framebuffer*> smoothed = state_->smoothed.at(vector_of(size));
         if (!smoothed) return passed_on(smoothed);
-        if (Status done = draw_smoothed(*state_, **picture, **smoothed); !done)
+        if (Status done = draw_smoothed(*state_, **picture, **smoothed,
+                                        surface_areas(*state_, view, vector_of(size)));
+            !done)
             return passed_on(done);
         state_->shown = &state_->smoothed;
     }

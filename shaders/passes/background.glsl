@@ -13,6 +13,8 @@ uniform vec3 background_color;  // linear, on the screen
 
 uniform vec3 floor_center;   // the middle of the scene, on the floor
 uniform float floor_radius;  // of the scene
+uniform vec3 scene_low;      // the box around it
+uniform vec3 scene_high;
 uniform sampler2D ground_shadow;     // what reaches the floor of the environment without its suns
 uniform float ground_shadow_extent;  // metres from the middle to the edge; 0: none
 uniform int floor_draws;             // that the shadows of lights on the floor are the mean of
@@ -52,24 +54,40 @@ FloorLight floor_light(int map, vec3 point) {
     return light;
 }
 
+/// Whether the scene may stand between a point and the light of a map: whether the way to the light
+/// meets the box around the scene, which is grown by what the edge of a shadow is wide.
+bool scene_between(int map, vec3 point, vec3 towards) {
+    float far = length(point - floor_center) + 2.0 * floor_radius;
+    float edge = shadow_shape[map].y * (shadow_shape[map].w > 0.5 ? 1.0 : far);
+    vec3 margin = vec3(edge + 0.02 * floor_radius);
+    vec3 low = (scene_low - margin - point) / towards;
+    vec3 high = (scene_high + margin - point) / towards;
+    vec3 enters = min(low, high);
+    vec3 leaves = max(low, high);
+    return max(max(enters.x, enters.y), enters.z) <= min(min(leaves.x, leaves.y), leaves.z);
+}
+
 /// What is left of the light of a point of the floor, of all that would reach it without the model.
 /// Lights that cast no shadow are left out of both.
 vec3 floor_shadow(vec3 point, vec2 pixel) {
     if (ground_shadow_extent <= 0.0) return vec3(1.0);
+    float contact = contact_light(point);
+    if (SHADOWS == 0) return vec3(contact);
     vec3 up = vec3(0.0, 1.0, 0.0);
     vec3 whole = PI * environment_diffuse(up);
-    vec3 left = whole * contact_light(point);
-    for (int map = 0; SHADOWS == 1 && map < shadow_count; ++map) {
+    vec3 left = whole * contact;
+    for (int map = 0; map < shadow_count; ++map) {
         FloorLight light = floor_light(map, point);
+        int draws = scene_between(map, point, light.towards) ? floor_draws : 0;
         float reaching = 0.0;
-        for (int i = 0; i < floor_draws; ++i)
+        for (int i = 0; i < draws; ++i)
             reaching += light_reaching(map, point, up, light.towards, pixel + 7.0 * float(i));
         whole += light.irradiance;
-        left += light.irradiance * (reaching / float(floor_draws));
+        left += light.irradiance * (draws > 0 ? reaching / float(draws) : 1.0);
     }
-    // A colour that no light has is not taken from the floor.
+    // A colour that no light has is shaded as the sky's is.
     vec3 least = vec3(1e-3 * luminance(whole) + 1e-6);
-    return (left + least) / (whole + least);
+    return (left + least * contact) / (whole + least);
 }
 
 /// Where a ray meets the floor, before the near plane maybe; w: 1, or 0 where it does not.

@@ -38,9 +38,6 @@ const int DISPLAY_DIRECTION = 3;
 const int DISPLAY_RANGE = 4;
 const int DISPLAY_LIGHT = 5;
 
-// What stands behind the surfaces of a channel: the editor's dark grey, so that black is seen.
-const float CHANNEL_BACKGROUND_SRGB = 0.086;
-
 /// The bytes that a screen is sent, 0 to 1.
 vec3 encoded_channel(vec3 value) {
     if (CHANNEL_DISPLAY == DISPLAY_COLOR) {
@@ -59,11 +56,4 @@ vec4 channel_output(vec3 value, float alpha, vec2 pixel) {
     if (OUTPUT_MODE == OUTPUT_RADIANCE) return vec4(value, alpha);
     vec3 encoded = encoded_channel(value);
     return vec4(OUTPUT_MODE == OUTPUT_SRGB ? encoded : linear_from_srgb(encoded), alpha);
-}
-
-vec4 channel_background(vec2 pixel) {
-    if (OUTPUT_MODE == OUTPUT_RADIANCE || BACKGROUND_KIND == BACKGROUND_TRANSPARENT)
-        return vec4(0.0);
-    vec3 encoded = vec3(CHANNEL_BACKGROUND_SRGB);
-    return vec4(OUTPUT_MODE == OUTPUT_SRGB ? encoded : linear_from_srgb(encoded), 1.0);
 }

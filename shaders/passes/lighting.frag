@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The deferred pass: reads the G-buffer, lights it, and writes the picture or one channel of it.
-// Constants: those of shading.glsl, output.glsl and background.glsl; CHANNEL, a
-// render::ChannelView; SURFACE_TARGET, 1 where the G-buffer has that target.
+// Only where there is a surface: background.frag draws the rest.
+// Constants: those of shading.glsl and output.glsl; CHANNEL, a render::ChannelView; SURFACE_TARGET,
+// 1 where the G-buffer has that target.
 
-#include "passes/background.glsl"
 #include "passes/channels.glsl"
 #include "passes/shading.glsl"
 #include "passes/stored_normal.glsl"
@@ -84,17 +84,11 @@ void main() {
     vec2 pixel = shown_pixel();
     ivec2 texel = ivec2(pixel);
     if (CHANNEL_IS_INSPECTION == 1) {
-        vec4 inspected = texelFetch(inspection, texel, 0);
-        color = inspected.a > 0.0 ? channel_output(inspected.rgb, 1.0, pixel)
-                                  : channel_background(pixel);
+        color = channel_output(texelFetch(inspection, texel, 0).rgb, 1.0, pixel);
         return;
     }
-    float depth_ndc = texelFetch(depth, texel, 0).r;
-    if (depth_ndc >= 1.0) {
-        color = CHANNEL == CHANNEL_FINAL ? background_output(pixel) : channel_background(pixel);
-        return;
-    }
-    vec3 position = world_at(pixel, depth_ndc * 2.0 - 1.0);
+    float depth_ndc = texelFetch(depth, texel, 0).r * 2.0 - 1.0;
+    vec3 position = world_at(pixel, depth_ndc);
     vec3 value = channel_value(texel, read_surface(texel, position), ray_through(pixel));
     color = channel_output(value, 1.0, pixel);
 }

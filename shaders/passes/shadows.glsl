@@ -6,13 +6,12 @@
 const int MOST_SHADOWS = 6;
 const int BLOCKER_TAPS = 4;
 const int EDGE_TAPS = 8;
+const int NEAR_TAPS = 3;  // of an edge that is no wider than a texel
 
-/// Points of the unit disc, from the middle outwards: H. Vogel's spiral, 1979. The search for what
-/// blocks takes every other one.
-const vec2 DISC[EDGE_TAPS] = vec2[EDGE_TAPS](
-    vec2(0.25000, 0.00000), vec2(-0.31929, -0.29250), vec2(0.04887, 0.55688),
-    vec2(0.40244, -0.52492), vec2(-0.73854, 0.13064), vec2(0.69960, 0.44503),
-    vec2(-0.23400, -0.87048), vec2(-0.44627, 0.85927));
+// Taps are points of the unit disc, from the middle outwards, a golden angle apart: H. Vogel's
+// spiral, 1979. The search for what blocks takes every other one. They are turned on from tap to tap
+// and not looked up: a table of known length lets compilers unroll loops that are better left early.
+const mat2 GOLDEN_TURN = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
 uniform sampler2D shadow_maps;                   // 0 nearest to the light, 1 behind everything
 uniform vec4 shadow_from_world[4 * MOST_SHADOWS];  // rows: across, up (0 to 1 of the map), depth, w
@@ -43,11 +42,6 @@ ShadowTexels shadow_texels(int map, vec2 texel) {
     vec4 across = vec4(1.0 - high_share.x, high_share.x, high_share.x, 1.0 - high_share.x);
     vec4 up = vec4(high_share.y, high_share.y, 1.0 - high_share.y, 1.0 - high_share.y);
     return ShadowTexels(depths, across * up);
-}
-
-/// What gets by: all of it where a map is `deepest` or deeper, nothing where it is nearer by `soft`.
-vec4 shadow_passing(vec4 depths, float deepest, float soft) {
-    return clamp((depths - deepest) / soft + 1.0, 0.0, 1.0);
 }
 
 /// The depth in a map of what is so many metres away along its axis, and back.
@@ -82,53 +76,103 @@ float shadow_slope(int map, vec3 normal, vec3 towards) {
                4.0);
 }
 
-/// How much of a light reaches a point, 0 to 1. `normal` and `towards` are unit, in the world.
-/// Beside a map all of it does.
-float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel) {
-    if (SHADOWS == 0) return 1.0;
-    float texel = 1.0 / shadow_shape[map].z;
+/// A point of a surface as a map sees it.
+struct ShadowPlace {
+    vec2 texel;         // from the corner of the map
+    float metres;       // along the axis
+    float slope;        // metres that the surface is deeper by, a map's width aside
+    float soft_metres;  // nearer than the surface by less than this it is the surface that blocks
+    bool inside;        // the map
+};
+ShadowPlace shadow_place(int map, vec3 point, vec3 normal, vec3 towards) {
+    vec4 shape = shadow_shape[map];
     // Off the surface by what one texel hides. w is 1 for a far light.
     float w = dot(shadow_from_world[4 * map + 3], vec4(point, 1.0));
-    float metres_across = shadow_shape[map].x * max(w, 0.0);
-    vec4 moved = vec4(point + normal * (1.5 * texel * metres_across), 1.0);
+    float metres_across = shape.x * max(w, 0.0);
+    vec4 moved = vec4(point + normal * (1.5 * metres_across / shape.z), 1.0);
     w = dot(shadow_from_world[4 * map + 3], moved);
     vec3 at = vec3(dot(shadow_from_world[4 * map], moved),
                    dot(shadow_from_world[4 * map + 1], moved),
                    dot(shadow_from_world[4 * map + 2], moved)) / max(w, 1e-6);
-    float metres = shadow_shape[map].w > 0.5 ? w : shadow_metres_of(map, at.z);
-    float slope = shadow_slope(map, normal, towards) * metres_across;
-    float turn = 6.2831853 * (fract(52.9829189 * fract(dot(floor(pixel),
-                                                           vec2(0.06711056, 0.00583715)))) +
-                              shadow_turn);
-    mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * shadow_shape[map].z;
-    vec2 middle = at.xy * shadow_shape[map].z;
+    ShadowPlace place;
+    place.texel = at.xy * shape.z;
+    place.metres = shape.w > 0.5 ? w : shadow_metres_of(map, at.z);
+    place.slope = shadow_slope(map, normal, towards) * metres_across;
+    place.soft_metres = 0.5 * metres_across / shape.z;
+    vec2 beside = abs(at.xy - 0.5);
+    place.inside = w > 0.0 && max(beside.x, beside.y) <= 0.5;
+    return place;
+}
 
-    // A lamp amid the scene may have blockers close by, whose edges would be wider than the map.
-    float widest = clamp(shadow_edge(map, metres, shadow_range[map].x), texel, 0.125);
-    // What blocks by less than half a texel is the surface itself.
-    float soft_metres = 0.5 * texel * metres_across;
+/// What gets by near a place: all of it where a map is `deepest` or deeper, nothing where it is nearer
+/// by `soft`.
+struct ShadowDepths {
+    float deepest;
+    float soft;
+};
+/// `reach`: how far aside is looked, as a share of the map.
+ShadowDepths shadow_depths(int map, ShadowPlace place, float reach) {
+    float metres = place.metres - place.slope * (reach + 1.0 / shadow_shape[map].z);
     // Nothing is deeper than a map goes, but the floor beside the scene may be.
-    float deepest = min(shadow_depth_of(map, metres - slope * (widest + texel)), 1.0);
-    float soft = deepest - shadow_depth_of(map, metres - slope * (widest + texel) - soft_metres);
+    float deepest = min(shadow_depth_of(map, metres), 1.0);
+    float soft = deepest - shadow_depth_of(map, metres - place.soft_metres);
+    return ShadowDepths(deepest, max(soft, 1e-7));
+}
+vec4 shadow_passing(vec4 depths, ShadowDepths passes) {
+    return clamp((depths - passes.deepest) / passes.soft + 1.0, 0.0, 1.0);
+}
+
+/// Whether a light shines on any of the side that a surface shows, by how wide the light is.
+bool shadow_matters(int map, ShadowPlace place, vec3 normal, vec3 towards) {
+    float radius = shadow_shape[map].y;
+    if (shadow_shape[map].w > 0.5) radius /= max(place.metres, 1e-6);
+    return place.inside && dot(normal, towards) > -radius;
+}
+
+/// How wide the edge is there, as a share of the map: by the mean of what blocks nearby. 0: nothing
+/// does. `way`: where the taps begin.
+float shadow_edge_at(int map, ShadowPlace place, int taps, vec2 way, float widest) {
+    ShadowDepths passes = shadow_depths(map, place, widest);
     float blockers = 0.0;
     float blocker_depths = 0.0;
-    for (int k = 0; k < BLOCKER_TAPS; ++k) {
-        ShadowTexels at_tap = shadow_texels(map, middle + turned * (widest * DISC[2 * k + 1]));
-        vec4 blocks = at_tap.shares * (1.0 - shadow_passing(at_tap.depths, deepest, max(soft, 1e-7)));
+    way = GOLDEN_TURN * way;
+    for (int k = 0; k < taps; ++k) {
+        float out_share = sqrt((float(2 * k) + 1.5) / float(EDGE_TAPS));
+        ShadowTexels tap = shadow_texels(map, place.texel + widest * out_share * way);
+        vec4 blocks = tap.shares * (1.0 - shadow_passing(tap.depths, passes));
         blockers += dot(blocks, vec4(1.0));
-        blocker_depths += dot(blocks, at_tap.depths);
+        blocker_depths += dot(blocks, tap.depths);
+        way = GOLDEN_TURN * (GOLDEN_TURN * way);
     }
+    if (blockers == 0.0) return 0.0;
+    float blocker_metres = shadow_metres_of(map, blocker_depths / blockers);
+    return clamp(shadow_edge(map, place.metres, blocker_metres), 1.0 / shadow_shape[map].z, widest);
+}
+
+/// How much of a light reaches a point, 0 to 1. `normal` and `towards` are unit, in the world.
+/// Beside a map, and where the light is behind the surface, all of it does.
+float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel) {
+    if (SHADOWS == 0) return 1.0;
+    ShadowPlace place = shadow_place(map, point, normal, towards);
+    float noise = fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
+    float turn = 6.2831853 * (noise + shadow_turn);
+    vec2 way = vec2(cos(turn), sin(turn)) * shadow_shape[map].z;
+    // Counts that are not constant keep loops what they are: lanes that agree leave them at once.
+    bool matters = shadow_matters(map, place, normal, towards);
+    float texel = 1.0 / shadow_shape[map].z;
+    // A lamp amid the scene may have blockers close by, whose edges would be wider than the map.
+    float widest = clamp(shadow_edge(map, place.metres, shadow_range[map].x), texel, 0.125);
+    float edge = shadow_edge_at(map, place, matters ? BLOCKER_TAPS : 0, way, widest);
     // What blocks from nearby is too near for the wide search and has a hard edge.
-    float blocker = blockers > 0.0 ? shadow_metres_of(map, blocker_depths / blockers) : metres;
-    float edge = clamp(shadow_edge(map, metres, blocker), texel, widest);
-    deepest = min(shadow_depth_of(map, metres - slope * (edge + texel)), 1.0);
-    soft = deepest - shadow_depth_of(map, metres - slope * (edge + texel) - soft_metres);
+    int taps = !matters ? 0 : edge > 0.0 ? EDGE_TAPS : NEAR_TAPS;
+    edge = max(edge, texel);
+    ShadowDepths passes = shadow_depths(map, place, edge);
     float reaching = 0.0;
-    for (int k = 0; k < EDGE_TAPS; ++k) {
-        ShadowTexels at_tap = shadow_texels(map, middle + turned * (edge * DISC[k]));
-        reaching +=
-            dot(at_tap.shares, shadow_passing(at_tap.depths, deepest, max(soft, 1e-7)));
+    for (int k = 0; k < taps; ++k) {
+        float out_share = sqrt((float(k) + 0.5) / float(EDGE_TAPS));
+        ShadowTexels tap = shadow_texels(map, place.texel + edge * out_share * way);
+        reaching += dot(tap.shares, shadow_passing(tap.depths, passes));
+        way = GOLDEN_TURN * way;
     }
-    vec2 beside = abs(at.xy - 0.5);
-    return w <= 0.0 || max(beside.x, beside.y) > 0.5 ? 1.0 : reaching / float(EDGE_TAPS);
+    return matters ? reaching / float(taps) : 1.0;
 }

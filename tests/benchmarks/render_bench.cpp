@@ -55,10 +55,10 @@ gl::HeadlessContext headless() {
         [](std::string_view message) { std::fprintf(stderr, "OpenGL: %s\n", message.data()); }));
 }
 
-/// With the shader ball in the studio.
-Renderer ready_renderer() {
+/// In the studio.
+Renderer ready_renderer(const ScenePtr& scene = shader_ball_scene()) {
     Renderer renderer = value_or_exit(Renderer::create());
-    value_or_exit(renderer.set_scene(shader_ball_scene()).map([] { return 0; }));
+    value_or_exit(renderer.set_scene(scene).map([] { return 0; }));
     value_or_exit(
         renderer
             .set_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First)))
@@ -66,15 +66,26 @@ Renderer ready_renderer() {
     return renderer;
 }
 
+/// Times frames in which the camera moves and `change` is made; the first, which compiles the
+/// shaders, is not among them.
+template <typename Change>
+void time_frames(benchmark::State& run, Renderer& renderer, View& view, PictureSize size,
+                 const Change& change) {
+    const auto draw = [&] {
+        view.camera = orbited(view.camera, 1.0f, 0.0f);
+        change();
+        benchmark::DoNotOptimize(value_or_exit(renderer.draw(view, size)));
+        glFinish();
+    };
+    draw();
+    for (auto _ : run) draw();
+}
+
 void draw_through_renderer(benchmark::State& run, PictureSize size) {
     const gl::HeadlessContext context = headless();
     Renderer renderer = ready_renderer();
     View view = view_of(renderer.bounds_world());
-    for (auto _ : run) {
-        view.camera = orbited(view.camera, 1.0f, 0.0f);
-        benchmark::DoNotOptimize(value_or_exit(renderer.draw(view, size)));
-        glFinish();
-    }
+    time_frames(run, renderer, view, size, [] {});
 }
 
 void frame(benchmark::State& run) {
@@ -86,6 +97,33 @@ void frame_moving(benchmark::State& run) {
     draw_through_renderer(run, {kSize.width / 2, kSize.height / 2});
 }
 BENCHMARK(frame_moving)->Name("frame/moving/1280x720")->Unit(benchmark::kMillisecond);
+
+/// A model of some ten thousand triangles with textures that covers a quarter of the picture, as it
+/// is opened in the editor.
+void frame_quarter(benchmark::State& run, AntiAliasing anti_aliasing) {
+    const gl::HeadlessContext context = headless();
+    auto scene = std::make_shared<Scene>();
+    scene->meshes.push_back(shape_mesh(Shape::Sphere));
+    scene->instances.push_back({.mesh = 0, .world_from_local = glm::mat4(1.0f), .name = "sphere"});
+    Renderer renderer = ready_renderer(scene);
+    View view = view_of(renderer.bounds_world());
+    // Of the height: a quarter of 16:9 is a disc of this diameter.
+    const float share = 2.0f * std::sqrt(0.25f * (16.0f / 9.0f) / 3.14159265f);
+    const glm::vec3 target = renderer.bounds_world().center();
+    const float radius = 0.5f * (renderer.bounds_world().high.y - renderer.bounds_world().low.y);
+    const float angle = std::atan(share * std::tan(glm::radians(0.5f * view.camera.fov_y_degrees)));
+    view.camera.position = target + radius / std::sin(angle) *
+                                        glm::normalize(view.camera.position - view.camera.target);
+    view.camera.target = target;
+    view.anti_aliasing = anti_aliasing;
+    time_frames(run, renderer, view, kSize, [] {});
+}
+BENCHMARK_CAPTURE(frame_quarter, plain, AntiAliasing::None)
+    ->Name("frame/quarter/1280x720")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frame_quarter, smoothed, AntiAliasing::Fast)
+    ->Name("frame/quarter-smoothed/1280x720")
+    ->Unit(benchmark::kMillisecond);
 
 void frame_bare(benchmark::State& run) {
     const gl::HeadlessContext context = headless();
@@ -101,13 +139,16 @@ void frame_bare(benchmark::State& run) {
     const gl::Framebuffer* picture = value_or_exit(state.picture.at(size));
     const gl::Framebuffer* smoothed = value_or_exit(state.smoothed.at(size));
     View view = view_of(state.scene->bounds_world);
-    for (auto _ : run) {
+    const auto draw = [&] {
         view.camera = orbited(view.camera, 1.0f, 0.0f);
-        if (!draw_frame(state, view, size, {.framebuffer = picture}) ||
-            !draw_smoothed(state, *picture, *smoothed))
-            return run.SkipWithError("a pass failed");
+        const bool drawn =
+            draw_frame(state, view, size, {.framebuffer = picture}) &&
+            draw_smoothed(state, *picture, *smoothed, surface_areas(state, view, size));
         glFinish();
-    }
+        return drawn;
+    };
+    if (!draw()) return run.SkipWithError("a pass failed");
+    for (auto _ : run) benchmark::DoNotOptimize(draw());
 }
 BENCHMARK(frame_bare)->Name("frame/bare/1280x720")->Unit(benchmark::kMillisecond);
 
@@ -132,12 +173,7 @@ void lights(benchmark::State& run, RenderPath path) {
     View view = view_of(renderer.bounds_world());
     view.left.path = path;
     view.lights = ring_of_lights(renderer.bounds_world(), static_cast<int>(run.range(0)));
-    for (auto _ : run) {
-        view.camera = orbited(view.camera, 1.0f, 0.0f);
-        benchmark::DoNotOptimize(
-            value_or_exit(renderer.draw(view, {kSize.width / 2, kSize.height / 2})));
-        glFinish();
-    }
+    time_frames(run, renderer, view, {kSize.width / 2, kSize.height / 2}, [] {});
 }
 BENCHMARK_CAPTURE(lights, deferred, RenderPath::Deferred)
     ->Name("lights/deferred/640x360")
@@ -158,12 +194,9 @@ void shadows(benchmark::State& run, bool cast, float lamp_step) {
     View view = view_of(renderer.bounds_world());
     view.shadows = cast;
     view.lights = ring_of_lights(renderer.bounds_world(), 2);
-    for (auto _ : run) {
-        view.camera = orbited(view.camera, 1.0f, 0.0f);
+    time_frames(run, renderer, view, kSize, [&] {
         for (Light& light : view.lights) light.position_world.y += lamp_step;
-        benchmark::DoNotOptimize(value_or_exit(renderer.draw(view, kSize)));
-        glFinish();
-    }
+    });
 }
 BENCHMARK_CAPTURE(shadows, none, false, 0.0f)
     ->Name("shadows/none/1280x720")

@@ -235,14 +235,15 @@ TEST_F(FrameTest, CostsNameEachPassAndCountTheGBuffer) {
     view_.compare = CompareMode::Split;
     picture(view_);
     // Phong's light has a shadow, which is drawn once.
-    ASSERT_EQ(renderer().stats().left.passes.size(), 3u);
+    ASSERT_EQ(renderer().stats().left.passes.size(), 4u);
     EXPECT_EQ(renderer().stats().left.passes[0].name, "Shadows");
     picture(view_);
     const FrameStats stats = renderer().stats();
     ASSERT_TRUE(stats.right);
-    ASSERT_EQ(stats.left.passes.size(), 2u);
+    ASSERT_EQ(stats.left.passes.size(), 3u);
     EXPECT_EQ(stats.left.passes[0].name, "G-buffer");
     EXPECT_EQ(stats.left.passes[1].name, "Lighting");
+    EXPECT_EQ(stats.left.passes[2].name, "Background");
     // RGBA8, three times RGBA16F and 32 bits of depth.
     EXPECT_EQ(stats.left.gbuffer_bytes, std::size_t{64} * 64 * (4 + 3 * 8 + 4));
     EXPECT_GT(stats.left.environment_bytes, 0u);
