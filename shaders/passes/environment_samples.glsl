@@ -39,12 +39,14 @@ float light_density(vec3 radiance) {
     return float(light_sample_count) * density_per_luminance * luminance(radiance);
 }
 
-/// Point `i` of this pixel's sequence in the unit square: Roberts's R2 from a random start.
+/// Point `i` of this pixel's sequence in the unit square: Roberts's R2 from a random start. In whole
+/// numbers, 2^32 to a side: the place of a late point is as fine as that of the first.
 vec2 lobe_point(vec2 pixel, int i) {
     uvec2 cell = uvec2(pixel);
-    vec2 start = vec2(unit_from_hash(lattice_hash(int(cell.x), int(cell.y), 1u)),
-                      unit_from_hash(lattice_hash(int(cell.x), int(cell.y), 2u)));
-    return fract(start + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
+    uvec2 start = uvec2(lattice_hash(int(cell.x), int(cell.y), 1u),
+                        lattice_hash(int(cell.x), int(cell.y), 2u));
+    uvec2 at = start + uint(i) * uvec2(3242174889u, 2447445414u);
+    return vec2(unit_from_hash(at.x), unit_from_hash(at.y));
 }
 
 /// A direction of a surface's own lobe; density 0: it lies below the horizon.

@@ -210,13 +210,19 @@ INSTANTIATE_TEST_SUITE_P(Builtin, TruthOfShipped,
                                          Scenery{"sky", 0.04, 0.04, 0.02, 0.012}),
                          name_of);
 
+/// Null where the shared models are not there.
+ImagePtr asset(const std::string& name) {
+    const fs::path file =
+        fs::path(PATINA_SOURCE_DIR) / "../shared/assets/environments" / (name + ".hdr");
+    if (!fs::exists(file)) return nullptr;
+    return value_of(io::decode_image(value_of(read_file(file)), file.string()));
+}
+
 class TruthOfAssets : public TruthTest, public testing::WithParamInterface<Scenery> {};
 
 TEST_P(TruthOfAssets, PrefilteredLightIsNearTheIntegral) {
-    const fs::path file = fs::path(PATINA_SOURCE_DIR) / "../shared/assets/environments" /
-                          (std::string(GetParam().name) + ".hdr");
-    if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
-    const auto map = value_of(io::decode_image(value_of(read_file(file)), file.string()));
+    const ImagePtr map = asset(GetParam().name);
+    if (map == nullptr) GTEST_SKIP() << "the shared environments are not there";
     expect_below(errors(*map, kSamplesPerPixel), GetParam());
 }
 INSTANTIATE_TEST_SUITE_P(Assets, TruthOfAssets,
@@ -236,6 +242,46 @@ TEST_F(TruthOfStills, ManySamplesConvergeToTheIntegral) {
     EXPECT_LT(means.at("metals"), 0.015);
     EXPECT_LT(means.at("non-metals"), 0.015);
 }
+
+/// What many samples reach; minutes each.
+class NightlyTruth : public TruthTest, public testing::WithParamInterface<const char*> {
+  protected:
+    ImagePtr map() {
+        const std::string name = GetParam();
+        if (name != "sky") return asset(name);
+        return std::make_shared<const Image>(value_of(builtin_environment(name, 256)));
+    }
+};
+
+TEST_P(NightlyTruth, AThousandSamplesAreNearTheIntegral) {
+    const ImagePtr environment = map();
+    if (environment == nullptr) GTEST_SKIP() << "the shared environments are not there";
+    expect_below(errors(*environment, 1024), {GetParam(), 0.005, 0.015, 0.012, 0.012});
+}
+
+TEST_P(NightlyTruth, FourTimesTheSamplesLeaveAtMostSixTenthsOfTheError) {
+    const ImagePtr environment = map();
+    if (environment == nullptr) GTEST_SKIP() << "the shared environments are not there";
+    const glm::vec3 base(0.9f, 0.6f, 0.3f);
+    const std::vector<ReflectingMaterial> some = {
+        {base, 1.0f, 0.0f},        {base, 1.0f, 1.0f / 6.0f}, {base, 1.0f, 0.5f},
+        {base, 1.0f, 1.0f},        {base, 0.5f, 1.0f / 6.0f}, {base, 0.5f, 2.0f / 3.0f},
+        {base, 0.0f, 1.0f / 6.0f}, {base, 0.0f, 2.0f / 3.0f}};
+    expect_below(errors(*environment, 4096, some), {GetParam(), 0.003, 0.009, 0.0072, 0.0072});
+}
+
+TEST_P(NightlyTruth, SixtyFourThousandSamplesAreTheIntegral) {
+    const ImagePtr environment = map();
+    if (environment == nullptr) GTEST_SKIP() << "the shared environments are not there";
+    const glm::vec3 base(0.9f, 0.6f, 0.3f);
+    for (const auto& [group, error] :
+         errors(*environment, 65536, {{base, 1.0f, 1.0f / 3.0f}, {base, 0.0f, 0.5f}}))
+        EXPECT_LT(error, 0.005) << group;
+}
+
+INSTANTIATE_TEST_SUITE_P(Environments, NightlyTruth,
+                         testing::Values("sky", "chinese_garden_1k", "noon_grass_1k"),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace patina::render
