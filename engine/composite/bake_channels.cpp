@@ -32,17 +32,20 @@ Slot slot_of(Channel channel) {
     return Slot::BaseColor;
 }
 
-/// Copies a channel of a tile into its planes, a colour in linear light.
-void keep_channel(const ProgramData& program, Channel channel, const TileSpan& span,
-                  TilePlanes& tile, ChannelPlanes& out) {
-    float* components[3] = {};
-    for (int k = 0; k < component_count(channel); ++k) components[k] = tile.channel(0, channel, k);
-    if ((program.top_encoded & channel_bit(channel)) != 0) decode_tile(components, span.count);
-    auto& planes = out.planes[static_cast<std::size_t>(channel)];
-    for (int k = 0; k < component_count(channel); ++k)
-        std::copy_n(
-            components[k], span.count,
-            planes[static_cast<std::size_t>(k)].data() + row_start(span.y, out.size) + span.x);
+/// The channels of a tile, colours in linear light.
+ChannelSpan span_of(const ProgramData& program, ChannelBits channels, const TileSpan& span,
+                    TilePlanes& tile) {
+    ChannelSpan result{.x = span.x, .y = span.y, .count = span.count};
+    for (const ChannelInfo& entry : kChannels) {
+        const ChannelBits bit = channel_bit(entry.channel);
+        if ((channels & bit) == 0) continue;
+        float* components[3] = {};
+        for (int k = 0; k < component_count(entry.channel); ++k)
+            components[k] = tile.channel(0, entry.channel, k);
+        if ((program.top_encoded & bit) != 0) decode_tile(components, span.count);
+        std::copy_n(components, 3, result.values[static_cast<std::size_t>(entry.channel)].begin());
+    }
+    return result;
 }
 
 }  // namespace
@@ -54,8 +57,9 @@ bool varies(const Program& program, Channel channel) {
         program.slots()[static_cast<std::size_t>(slot_of(channel))]);
 }
 
-Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& images, int size,
-                                    const std::vector<Channel>& wanted, const Progress& progress) {
+Status composite_channels(const Program& program, ImageProvider& images, int size,
+                          const std::vector<Channel>& wanted, const ChannelSink& sink,
+                          const Progress& progress) {
     const ProgramData& data = program.data();
     ChannelBits channels = 0;
     for (const Channel channel : wanted) channels |= channel_bit(channel);
@@ -63,26 +67,39 @@ Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& image
     if ((channels & channel_bit(Channel::Normal)) != 0) read |= channel_bit(Channel::Height);
     const Result<BoundImages> bound = images_for_bake(data, read, size, images);
     if (!bound) return passed_on(bound);
-
-    ChannelPlanes out;
-    out.size = size;
-    for (const Channel channel : wanted)
-        for (int k = 0; k < component_count(channel); ++k)
-            out.planes[static_cast<std::size_t>(channel)][static_cast<std::size_t>(k)].resize(
-                row_start(size, size));
     const bool done = composite_tiles(
         {.program = &data,
          .images = &*bound,
          .wanted = channels,
          .size = size,
          .rect = {0, 0, size, size}},
-        [&](const TileSpan& span, TilePlanes& tile) {
-            for (const ChannelInfo& entry : kChannels)
-                if ((channels & channel_bit(entry.channel)) != 0)
-                    keep_channel(data, entry.channel, span, tile, out);
-        },
+        [&](const TileSpan& span, TilePlanes& tile) { sink(span_of(data, channels, span, tile)); },
         progress);
     if (!done) return failure("baking was cancelled");
+    return {};
+}
+
+Result<ChannelPlanes> bake_channels(const Program& program, ImageProvider& images, int size,
+                                    const std::vector<Channel>& wanted, const Progress& progress) {
+    ChannelPlanes out;
+    out.size = size;
+    for (const Channel channel : wanted)
+        for (int k = 0; k < component_count(channel); ++k)
+            out.planes[static_cast<std::size_t>(channel)][static_cast<std::size_t>(k)].resize(
+                row_start(size, size));
+    const Status done = composite_channels(
+        program, images, size, wanted,
+        [&](const ChannelSpan& span) {
+            for (const Channel channel : wanted)
+                for (int k = 0; k < component_count(channel); ++k)
+                    std::copy_n(
+                        span.plane(channel, k), span.count,
+                        out.planes[static_cast<std::size_t>(channel)][static_cast<std::size_t>(k)]
+                                .data() +
+                            row_start(span.y, size) + span.x);
+        },
+        progress);
+    if (!done) return passed_on(done);
     return out;
 }
 

@@ -11,26 +11,21 @@ namespace patina {
 namespace {
 
 /// Only touched texels are read, and only the others are written: rows need not wait for others.
-template <typename Texel>
-void dilate_plane(const UvMap& map, Texel* texels) {
-    const int size = map.size();
-    const auto row = [size](int y) {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size);
+void dilate_texels(const UvMap& map, Image& image) {
+    const std::size_t texel_bytes = image.row_bytes() / static_cast<std::size_t>(image.width);
+    const auto texel_at = [&](int x, int y) {
+        return image.data.data() + static_cast<std::size_t>(y) * image.row_bytes() +
+               static_cast<std::size_t>(x) * texel_bytes;
     };
-    parallel_for(0, size, 16, [&](std::int64_t first, std::int64_t last) {
+    parallel_for(0, map.size(), 16, [&](std::int64_t first, std::int64_t last) {
         for (auto y = static_cast<int>(first); y < static_cast<int>(last); ++y)
-            for (int x = 0; x < size; ++x) {
+            for (int x = 0; x < map.size(); ++x) {
                 if (map.touched(x, y)) continue;
                 const UvMap::Texel nearest = map.at(x, y);
-                std::memcpy(texels + row(y) + x, texels + row(nearest.y) + nearest.x,
-                            sizeof(Texel));
+                std::memcpy(texel_at(x, y), texel_at(nearest.x, nearest.y), texel_bytes);
             }
     });
 }
-
-struct Rgba8 {
-    std::byte components[4];
-};
 
 }  // namespace
 
@@ -50,17 +45,13 @@ void dilate(const UvSurface& surface, MapSet& maps) {
         if (image == nullptr) continue;
         auto own = image.use_count() == 1 ? std::const_pointer_cast<Image>(image)
                                           : std::make_shared<Image>(*image);
-        dilate_plane(*map, reinterpret_cast<Rgba8*>(own->data.data()));
+        dilate_texels(*map, *own);
         image = std::move(own);
     }
 }
 
-void dilate(const UvSurface& surface, ChannelPlanes& planes) {
-    const UvMapPtr map = surface.map(planes.size);
-    if (map == nullptr) return;
-    for (auto& channel : planes.planes)
-        for (PixelVector<float>& plane : channel)
-            if (!plane.empty()) dilate_plane(*map, plane.data());
+void dilate(const UvSurface& surface, Image& image) {
+    if (const UvMapPtr map = surface.map(image.width)) dilate_texels(*map, image);
 }
 
 }  // namespace patina

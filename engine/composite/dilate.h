@@ -3,7 +3,6 @@
 
 /// Baked maps filled past the borders of UV islands.
 
-#include "composite/bake_channels.h"
 #include "composite/composite.h"
 #include "scene/uv_map.h"
 
@@ -17,6 +16,7 @@ UvSurfacePtr dilated_by(const Document& document, const Material& material, cons
 /// Gives each texel that no triangle touches what the nearest touched one has; those that are
 /// touched stay as they are. Maps of another size than `surface` has a map for are left alone.
 void dilate(const UvSurface& surface, MapSet& maps);
-void dilate(const UvSurface& surface, ChannelPlanes& planes);
+/// Of a square map, whatever its texels are.
+void dilate(const UvSurface& surface, Image& image);
 
 }  // namespace patina

@@ -9,9 +9,8 @@
 #include "composite/bake_channels.h"
 #include "composite/dilate.h"
 #include "composite/operations.h"
-#include "core/formulae/formulae.h"
-#include "core/parallel.h"
 #include "io/packed_bytes.h"
+#include "io/packed_channels.h"
 #include "io/safe_name.h"
 
 namespace patina::io {
@@ -30,82 +29,13 @@ bool holds_bytes(const MapExportOptions& options) {
     return !keeps_floats(options) && bits_of(options) == 8;
 }
 
-/// The channels that the maps hold, each once.
-std::vector<Channel> channels_of(const std::vector<PackedMap>& maps) {
-    std::vector<Channel> channels;
-    for (const PackedMap& map : maps)
-        for (int i = 0; i < map.channels; ++i)
-            if (const auto& channel = map.values[static_cast<std::size_t>(i)].channel)
-                if (std::find(channels.begin(), channels.end(), *channel) == channels.end())
-                    channels.push_back(*channel);
-    return channels;
+SampleType sample_type_of(const MapExportOptions& options) {
+    if (keeps_floats(options)) return SampleType::F32;
+    return holds_bytes(options) ? SampleType::U8 : SampleType::U16;
 }
 
+/// Of maps that are made at once.
 constexpr std::uint64_t kBytesTogether = std::uint64_t{512} << 20;
-
-std::uint64_t bytes_of(const std::vector<Channel>& channels, int size) {
-    std::uint64_t components = 0;
-    for (const Channel channel : channels)
-        components += static_cast<std::uint64_t>(component_count(channel));
-    return components * static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size) *
-           sizeof(float);
-}
-
-/// One number of a file: 0..1, but for floats of heights and of bright colours.
-float packed_number(const PackedValue& value, float stored) {
-    const ChannelKind kind = info(*value.channel).kind;
-    if (kind == ChannelKind::Normal || kind == ChannelKind::Height)
-        return (value.invert ? -stored : stored) * 0.5f + 0.5f;
-    return value.invert ? 1.0f - stored : stored;
-}
-
-void store(float number, SampleType type, std::size_t index, Image& image) {
-    const float held = std::clamp(number, 0.0f, 1.0f);
-    switch (type) {
-        case SampleType::U8:
-            image.data[index] = static_cast<std::byte>(static_cast<int>(held * 255.0f + 0.5f));
-            break;
-        case SampleType::U16:
-            reinterpret_cast<std::uint16_t*>(image.data.data())[index] =
-                static_cast<std::uint16_t>(std::lround(held * 65535.0f));
-            break;
-        case SampleType::F32:
-            reinterpret_cast<float*>(image.data.data())[index] = number;
-            break;
-    }
-}
-
-bool is_one_everywhere(const PixelVector<float>& plane) {
-    return std::all_of(plane.begin(), plane.end(), [](float value) { return value >= 1.0f; });
-}
-
-Image packed_image(const PackedMap& map, const ChannelPlanes& planes, SampleType type) {
-    const bool drops_opacity =
-        map.has_opacity() && is_one_everywhere(planes.plane(Channel::Opacity));
-    Image image{.width = planes.size,
-                .height = planes.size,
-                .channels = drops_opacity ? 3 : map.channels,
-                .type = type};
-    image.data.resize(image.row_bytes() * static_cast<std::size_t>(image.height));
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const auto texels =
-        static_cast<std::int64_t>(planes.size) * static_cast<std::int64_t>(planes.size);
-    for (std::size_t c = 0; c < channels; ++c) {
-        const PackedValue& value = map.values[c];
-        const bool encode = map.is_color() && c < 3 && type != SampleType::F32;
-        parallel_for(0, texels, 1 << 16, [&](std::int64_t first, std::int64_t last) {
-            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last);
-                 ++i) {
-                float number = value.constant;
-                if (value.channel)
-                    number = packed_number(value, planes.plane(*value.channel, value.component)[i]);
-                if (encode) number = formulae::srgb_from_linear(std::clamp(number, 0.0f, 1.0f));
-                store(number, type, i * channels + c, image);
-            }
-        });
-    }
-    return image;
-}
 
 /// Opacity in a file of its own: in floats alpha would be multiplied into the colours.
 std::vector<PackedMap> maps_to_write(const MapExportOptions& options) {
@@ -168,15 +98,10 @@ class Exporter {
                 if (const Status done = write_bytes(material, wanted, *baked, size); !done)
                     return done;
         }
-        for (const std::vector<Wanted>& group : baked_together(of_floats, size)) {
-            auto planes =
-                bake_channels(program, images_, size, channels_of(maps_of(group)), progress_);
-            if (!planes) return passed_on(planes);
-            if (islands != nullptr) dilate(*islands, *planes);
-            for (const Wanted& wanted : group)
-                if (const Status written = write_map(material, wanted, *planes); !written)
-                    return written;
-        }
+        for (const std::vector<Wanted>& group : made_together(of_floats, size))
+            if (const Status written = write_channels(material, program, islands, size, group);
+                !written)
+                return written;
         return {};
     }
 
@@ -239,19 +164,37 @@ class Exporter {
         return maps;
     }
 
-    /// In groups whose channels fit into memory together: what they share is computed once.
-    std::vector<std::vector<Wanted>> baked_together(const std::vector<Wanted>& maps,
-                                                    int size) const {
+    /// In groups that fit into memory together: what their channels share is computed once.
+    std::vector<std::vector<Wanted>> made_together(const std::vector<Wanted>& maps,
+                                                   int size) const {
+        const std::uint64_t texels =
+            static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size);
         std::vector<std::vector<Wanted>> groups;
-        for (const Wanted& map : maps) {
-            if (!groups.empty()) {
-                groups.back().push_back(map);
-                if (bytes_of(channels_of(maps_of(groups.back())), size) <= kBytesTogether) continue;
-                groups.back().pop_back();
+        std::uint64_t bytes = 0;
+        for (const Wanted& wanted : maps) {
+            const std::uint64_t own = texels * static_cast<std::uint64_t>(wanted.map.channels) *
+                                      sample_bytes(sample_type_of(options_));
+            if (groups.empty() || bytes + own > kBytesTogether) {
+                groups.emplace_back();
+                bytes = 0;
             }
-            groups.push_back({map});
+            groups.back().push_back(wanted);
+            bytes += own;
         }
         return groups;
+    }
+
+    Status write_channels(const Material& material, const Program& program,
+                          const UvSurfacePtr& islands, int size, const std::vector<Wanted>& group) {
+        auto made = packed_channels(program, images_, size, maps_of(group),
+                                    sample_type_of(options_), progress_);
+        if (!made) return passed_on(made);
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            Image image = std::move((*made)[i]);
+            if (const Status written = write_map(material, group[i], islands, image); !written)
+                return written;
+        }
+        return {};
     }
 
     Status write_bytes(const Material& material, const Wanted& wanted, const BakedBytes& baked,
@@ -263,10 +206,7 @@ class Exporter {
         if (same) return write_image(material, wanted, *baked.maps[*same]);
         const auto image = packed_bytes(wanted.map, baked.maps, size);
         assert(image);
-        if (is_opacity_alone(wanted.map) &&
-            std::all_of(image->data.begin(), image->data.end(),
-                        [](std::byte value) { return value == std::byte{255}; }))
-            return {};
+        if (is_opacity_alone(wanted.map) && last_is_one(*image)) return {};
         return write_image(material, wanted, *image);
     }
 
@@ -281,13 +221,11 @@ class Exporter {
         return map.channels == 1 && map.values[0].channel == Channel::Opacity;
     }
 
-    Status write_map(const Material& material, const Wanted& wanted, const ChannelPlanes& planes) {
-        const PackedMap& map = wanted.map;
-        if (is_opacity_alone(map) && is_one_everywhere(planes.plane(Channel::Opacity))) return {};
-        const SampleType type = keeps_floats(options_)  ? SampleType::F32
-                                : holds_bytes(options_) ? SampleType::U8
-                                                        : SampleType::U16;
-        const Image image = packed_image(map, planes, type);
+    Status write_map(const Material& material, const Wanted& wanted, const UvSurfacePtr& islands,
+                     Image& image) {
+        if (islands != nullptr) dilate(*islands, image);
+        if (wanted.map.has_opacity() && last_is_one(image)) image = without_last(image);
+        if (is_opacity_alone(wanted.map) && last_is_one(image)) return {};
         const bool half = options_.format == ImageFormat::Exr && bits_of(options_) == 16;
         if (!half) return write_image(material, wanted, image);
         const auto bytes = encode_half_exr(image);
