@@ -26,7 +26,6 @@ double accumulate_shares(const std::vector<double>& amounts, float* shares) {
 struct Picked {
     std::size_t index;
     float within;  ///< 0 to 1
-    float share;   ///< of all
 };
 
 /// The interval of `shares` that holds u.
@@ -35,8 +34,12 @@ Picked pick(const float* shares, std::size_t count, float u) {
     const float* found = std::min(std::upper_bound(shares, end, u), end - 1);
     const float low = found == shares ? 0.0f : found[-1];
     const float share = std::max(*found - low, 1e-12f);
-    return {static_cast<std::size_t>(found - shares), std::clamp((u - low) / share, 0.0f, 1.0f),
-            share};
+    return {static_cast<std::size_t>(found - shares), std::clamp((u - low) / share, 0.0f, 1.0f)};
+}
+
+/// For u of 0 to 1, -1 to 1 as densely as a texel has a share in what is read so many texels aside.
+float tent(float u) {
+    return u < 0.5f ? std::sqrt(2.0f * u) - 1.0f : 1.0f - std::sqrt(2.0f - 2.0f * u);
 }
 
 std::uint32_t reversed_bits(std::uint32_t bits) {
@@ -85,24 +88,42 @@ EnvironmentSampler::EnvironmentSampler(std::shared_ptr<const RadianceMap> map)
     total_luminance_ = accumulate_shares(row_light, rows_.data());
 }
 
+float EnvironmentSampler::density_at(const glm::vec2& texel) const {
+    const int low_row = static_cast<int>(std::floor(texel.y - 0.5f));
+    const float high_share = texel.y - 0.5f - std::floor(texel.y - 0.5f);
+    const int low_column = static_cast<int>(std::floor(texel.x - 0.5f));
+    const float right_share = texel.x - 0.5f - std::floor(texel.x - 0.5f);
+    const auto light_of_row = [&](int y) {
+        const int row = std::clamp(y, 0, map_->height - 1);
+        const auto at = [&](int x) {
+            return luminance_of(map_->at((x + map_->width) % map_->width, row));
+        };
+        return std::lerp(at(low_column), at(low_column + 1), right_share) *
+               texel_solid_angle(*map_, row);
+    };
+    const float light = std::lerp(light_of_row(low_row), light_of_row(low_row + 1), high_share);
+    const float height = static_cast<float>(map_->height);
+    const float sine = std::max(std::sin(glm::pi<float>() * texel.y / height), 1e-6f);
+    const float solid_angle =
+        glm::two_pi<float>() / static_cast<float>(map_->width) * glm::pi<float>() / height * sine;
+    return std::max(light / (static_cast<float>(total_luminance_) * solid_angle), 1e-12f);
+}
+
 EnvironmentSample EnvironmentSampler::sample(const glm::vec2& u) const {
     assert(has_light());
     const auto width = static_cast<std::size_t>(map_->width);
     const Picked row = pick(rows_.data(), rows_.size(), u.y);
     const Picked column = pick(columns_.data() + row.index * width, width, u.x);
-    // Even in solid angle within the row: even in the cosine.
-    const auto polar = [&](std::size_t edge) {
-        return std::cos(glm::pi<float>() * static_cast<float>(edge) /
-                        static_cast<float>(map_->height));
-    };
-    const float cosine = std::lerp(polar(row.index), polar(row.index + 1), row.within);
+    glm::vec2 texel(static_cast<float>(column.index) + 0.5f + tent(column.within),
+                    static_cast<float>(row.index) + 0.5f + tent(row.within));
+    const glm::vec2 size(map_->width, map_->height);
+    texel.x -= std::floor(texel.x / size.x) * size.x;
+    // Beyond a pole the row at it is read again.
+    texel.y = std::min(std::abs(texel.y), 2.0f * size.y - texel.y);
     EnvironmentSample result;
-    result.towards =
-        direction_at((static_cast<float>(column.index) + column.within) / static_cast<float>(width),
-                     std::acos(std::clamp(cosine, -1.0f, 1.0f)) / glm::pi<float>());
+    result.towards = direction_at(texel.x / size.x, texel.y / size.y);
     result.radiance_linear = radiance_from(*map_, result.towards);
-    result.density =
-        row.share * column.share / texel_solid_angle(*map_, static_cast<int>(row.index));
+    result.density = density_at(texel);
     return result;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 /// Directions of an environment, drawn as often as they are bright: what lights a converging still.
+/// A map is read between its texels, and drawn so too: the light of a small sun reaches a texel
+/// beyond it, where draws by texels alone would hardly ever look.
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -25,15 +27,19 @@ class EnvironmentSampler {
 
     /// False for a black map: nothing can be drawn.
     bool has_light() const { return total_luminance_ > 0.0; }
-    /// The integral of luminance over the sphere. The density of a direction is near its luminance
-    /// divided by this.
+    /// The integral of luminance over the sphere. The density of a direction is its luminance
+    /// divided by this, but for how much a texel shrinks from one row to the next.
     double total_luminance() const { return total_luminance_; }
     /// For u of the unit square, 1 excluded: points that are spread well there are spread well
-    /// over the light. By rows, then along the row. M. Pharr and others, "Physically Based
-    /// Rendering", section "Sampling of Infinite Area Lights".
+    /// over the light. By rows, then along the row (M. Pharr and others, "Physically Based
+    /// Rendering", section "Sampling of Infinite Area Lights"), then up to a texel aside, as often
+    /// as the texel has a share in what is read there.
     EnvironmentSample sample(const glm::vec2& u) const;
 
   private:
+    /// Of drawing the direction at a place of the map, in texels.
+    float density_at(const glm::vec2& texel) const;
+
     std::shared_ptr<const RadianceMap> map_;
     std::vector<float> rows_;     ///< the share of light above the end of each row
     std::vector<float> columns_;  ///< of each row: the share at the left of the end of each texel

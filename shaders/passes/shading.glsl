@@ -81,26 +81,43 @@ void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
                               roughness_under_disc(s.roughness, sun_towards[i].w));
 }
 
+/// Whether a surface is smoother than a lobe is ever made: it mirrors one direction of the
+/// environment. A lobe of the least width has tails, which a sun would light beside its image.
+bool is_mirror(Surface s) {
+    return s.roughness * s.roughness < LEAST_ALPHA;
+}
+
+void add_mirrored_direction(inout Lit lit, Surface s, PbrSurface p, vec3 v,
+                            float suns[MOST_SUNS]) {
+    vec3 direction_map = environment_from_world * reflect(-v, s.normal);
+    vec3 mirrored = p.mirrored_share * p.boost * fresnel(FRESNEL, p.n_dot_v, s.f0, s.f90);
+    lit.specular_ambient += mirrored * environment_intensity * map_reaching(suns, direction_map) *
+                            map_radiance(direction_map, 0.0);
+}
+
 /// One draw's share of the integral over the environment.
 void add_sampled_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v,
                              LobeSample lobe[LOBE_SAMPLES]) {
     float alpha = alpha_from_roughness(s.roughness);
     float suns[MOST_SUNS] = suns_reaching(s);
+    bool mirror = is_mirror(s);
+    if (mirror) add_mirrored_direction(lit, s, p, v, suns);
     for (int i = 0; i < light_sample_count; ++i) {
         vec3 l = light_sample_towards[i].xyz * environment_from_world;
         ReflectionAngles angles = reflection_angles(s.normal, v, l);
         vec3 radiance = light_sample_radiance[i].rgb;
         float by_light = light_density(radiance);
-        float by_lobe =
-            float(LOBE_SAMPLES) * ggx_visible_density(angles.n_dot_h, angles.n_dot_v, alpha);
+        float by_lobe = mirror ? 0.0
+                               : float(LOBE_SAMPLES) *
+                                     ggx_visible_density(angles.n_dot_h, angles.n_dot_v, alpha);
         float drawn = float(light_sample_count) * light_sample_towards[i].w;
         float weight = by_light / (by_light + by_lobe) / drawn;
         add_environment_light(lit, s, p, v, l,
                               map_reaching(suns, light_sample_towards[i].xyz) * weight * radiance,
-                              1.0, s.roughness);
+                              mirror ? 0.0 : 1.0, s.roughness);
     }
     for (int i = 0; i < LOBE_SAMPLES; ++i) {
-        if (lobe[i].density == 0.0) continue;
+        if (mirror || lobe[i].density == 0.0) continue;
         vec3 direction_map = environment_from_world * lobe[i].direction;
         vec3 radiance = map_radiance(direction_map, level_for_density(lobe[i].density));
         float by_either = light_density(radiance) + float(LOBE_SAMPLES) * lobe[i].density;
