@@ -3,7 +3,10 @@
 
 #include <hwy/cache_control.h>
 
+#include <array>
+
 #include "composite/kernel_targets.h"
+#include "core/formulae/formulae.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/fetch_kernels.cpp"
@@ -24,6 +27,13 @@ using formulae::RealLanes;
 using formulae::store;
 using formulae::UintLanes;
 
+/// One component of lane_count() RGBA8 texels, which are one 32-bit number each.
+template <int kIndex>
+HWY_INLINE hn::Vec<formulae::IntLanes> byte_of(hn::Vec<UintLanes> texels) {
+    const auto byte = hn::And(hn::ShiftRight<8 * kIndex>(texels), hn::Set(UintLanes(), 0xffu));
+    return hn::BitCast(formulae::IntLanes(), byte);
+}
+
 /// Lanes of stored numbers as floats in 0..1.
 HWY_INLINE Real unit(hn::Vec<hn::Rebind<std::uint8_t, RealLanes>> stored) {
     const auto wide = hn::PromoteTo(formulae::IntLanes(), stored);
@@ -37,52 +47,78 @@ HWY_INLINE Real unit(hn::Vec<RealLanes> stored) {
     return Real(stored);
 }
 
+/// The linear light of each byte.
+HWY_INLINE const float* decoded_bytes() {
+    static const auto table = [] {
+        std::array<float, 256> decoded{};
+        for (std::size_t byte = 0; byte < decoded.size(); ++byte)
+            decoded[byte] =
+                patina::formulae::linear_from_srgb(static_cast<float>(byte) * (1.0f / 255.0f));
+        return decoded;
+    }();
+    return table.data();
+}
+
+/// How stored numbers become values.
+struct AsStored {
+    static HWY_INLINE AsStored make() { return {}; }
+    template <typename Stored>
+    HWY_INLINE Real operator()(Stored stored) const {
+        return unit(stored);
+    }
+    HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const {
+        return Real(hn::ConvertTo(RealLanes(), byte)) * (1.0f / 255.0f);
+    }
+};
+struct Decoded {
+    const float* table;
+    static HWY_INLINE Decoded make() { return {decoded_bytes()}; }
+    HWY_INLINE Real operator()(hn::Vec<hn::Rebind<std::uint8_t, RealLanes>> stored) const {
+        return of_byte(hn::PromoteTo(formulae::IntLanes(), stored));
+    }
+    HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const {
+        return Real(hn::GatherIndex(RealLanes(), table, byte));
+    }
+};
+
 /// The four components of lane_count() interleaved texels; those beyond kChannels stay unset.
-template <typename Sample, int kChannels>
-HWY_INLINE void load_texels(const Sample* texels, Real out[4]) {
+template <typename Sample, int kChannels, class Value>
+HWY_INLINE void load_texels(const Sample* texels, const Value& value, Real out[4]) {
     const hn::Rebind<Sample, RealLanes> lanes;
     hn::Vec<decltype(lanes)> a, b, c, d;
     if constexpr (kChannels == 1) {
-        out[0] = unit(hn::LoadU(lanes, texels));
+        out[0] = value(hn::LoadU(lanes, texels));
     } else if constexpr (kChannels == 2) {
         hn::LoadInterleaved2(lanes, texels, a, b);
-        out[0] = unit(a);
-        out[1] = unit(b);
+        out[0] = value(a);
+        out[1] = value(b);
     } else if constexpr (kChannels == 3) {
         hn::LoadInterleaved3(lanes, texels, a, b, c);
-        out[0] = unit(a);
-        out[1] = unit(b);
-        out[2] = unit(c);
+        out[0] = value(a);
+        out[1] = value(b);
+        out[2] = value(c);
+    } else if constexpr (std::is_same_v<Sample, std::uint8_t>) {
+        // A texel is one 32-bit number.
+        const auto packed = hn::LoadU(UintLanes(), reinterpret_cast<const std::uint32_t*>(texels));
+        out[0] = value.of_byte(byte_of<0>(packed));
+        out[1] = value.of_byte(byte_of<1>(packed));
+        out[2] = value.of_byte(byte_of<2>(packed));
+        out[3] = value.of_byte(byte_of<3>(packed));
     } else {
         hn::LoadInterleaved4(lanes, texels, a, b, c, d);
-        out[0] = unit(a);
-        out[1] = unit(b);
-        out[2] = unit(c);
-        out[3] = unit(d);
+        out[0] = value(a);
+        out[1] = value(b);
+        out[2] = value(c);
+        out[3] = value(d);
     }
 }
 
-/// One component of lane_count() RGBA8 texels, which are one 32-bit number each.
-template <int kIndex>
-HWY_INLINE Real byte_of(hn::Vec<UintLanes> texels) {
-    const auto byte = hn::And(hn::ShiftRight<8 * kIndex>(texels), hn::Set(UintLanes(), 0xffu));
-    return Real(hn::ConvertTo(RealLanes(), hn::BitCast(formulae::IntLanes(), byte))) *
-           (1.0f / 255.0f);
-}
-template <>
-HWY_INLINE void load_texels<std::uint8_t, 4>(const std::uint8_t* texels, Real out[4]) {
-    const auto packed = hn::LoadU(UintLanes(), reinterpret_cast<const std::uint32_t*>(texels));
-    out[0] = byte_of<0>(packed);
-    out[1] = byte_of<1>(packed);
-    out[2] = byte_of<2>(packed);
-    out[3] = byte_of<3>(packed);
-}
-
 /// Component kIndex of each texel, or, where it is -1, the first three.
-template <typename Sample, int kChannels, int kIndex>
-HWY_INLINE void read_lanes(const Sample* texels, float* const* planes, std::size_t at) {
+template <int kChannels, int kIndex, typename Sample, class Value>
+HWY_INLINE void read_lanes(const Sample* texels, const Value& value, float* const* planes,
+                           std::size_t at) {
     Real texel[4];
-    load_texels<Sample, kChannels>(texels, texel);
+    load_texels<Sample, kChannels>(texels, value, texel);
     if constexpr (kIndex >= 0) {
         store(texel[kIndex], planes[0] + at);
     } else {
@@ -99,8 +135,9 @@ HWY_INLINE void prefetch_next(const void* texels, std::size_t tile_bytes) {
     for (std::size_t i = 0; i < kBytes; i += 64) hwy::Prefetch(next + i);
 }
 
-template <typename Sample, int kChannels, int kIndex>
+template <typename Sample, int kChannels, int kIndex, class Value = AsStored>
 HWY_NOINLINE HWY_FLATTEN void read_run(const ReadTask& task) {
+    const Value value = Value::make();
     const std::size_t count = static_cast<std::size_t>(task.count);
     const auto* const texels = reinterpret_cast<const Sample*>(task.texels);
     const std::size_t tile_bytes = count * kChannels * sizeof(Sample);
@@ -108,51 +145,52 @@ HWY_NOINLINE HWY_FLATTEN void read_run(const ReadTask& task) {
     std::size_t i = 0;
     for (; i + lane_count() <= count; i += lane_count()) {
         prefetch_next<kStepBytes>(texels + i * kChannels, tile_bytes);
-        read_lanes<Sample, kChannels, kIndex>(texels + i * kChannels, task.planes, i);
+        read_lanes<kChannels, kIndex>(texels + i * kChannels, value, task.planes, i);
     }
     if (i == count) return;
     // The last texels may end where the image ends: read them from a padded copy.
     alignas(64) Sample padded[16 * kChannels] = {};
     __builtin_memcpy(padded, texels + i * kChannels, (count - i) * kChannels * sizeof(Sample));
-    read_lanes<Sample, kChannels, kIndex>(padded, task.planes, i);
+    read_lanes<kChannels, kIndex>(padded, value, task.planes, i);
 }
 
-template <typename Sample, int kChannels>
+template <typename Sample, int kChannels, class Value>
 void read_component(const ReadTask& task, int index) {
     if constexpr (kChannels > 3)
-        if (index == 3) return read_run<Sample, kChannels, 3>(task);
+        if (index == 3) return read_run<Sample, kChannels, 3, Value>(task);
     if constexpr (kChannels > 2)
-        if (index == 2) return read_run<Sample, kChannels, 2>(task);
+        if (index == 2) return read_run<Sample, kChannels, 2, Value>(task);
     if constexpr (kChannels > 1)
-        if (index == 1) return read_run<Sample, kChannels, 1>(task);
-    read_run<Sample, kChannels, 0>(task);
+        if (index == 1) return read_run<Sample, kChannels, 1, Value>(task);
+    read_run<Sample, kChannels, 0, Value>(task);
 }
 
-template <typename Sample>
+template <typename Sample, class Value>
 void read_samples(const ReadTask& task) {
     const int index = task.components.index[0];
     switch (task.channels) {
         case 1:
-            return read_component<Sample, 1>(task, index);
+            return read_component<Sample, 1, Value>(task, index);
         case 2:
-            return read_component<Sample, 2>(task, index);
+            return read_component<Sample, 2, Value>(task, index);
         case 3:
-            return task.components.count == 3 ? read_run<Sample, 3, -1>(task)
-                                              : read_component<Sample, 3>(task, index);
+            return task.components.count == 3 ? read_run<Sample, 3, -1, Value>(task)
+                                              : read_component<Sample, 3, Value>(task, index);
         default:
-            return task.components.count == 3 ? read_run<Sample, 4, -1>(task)
-                                              : read_component<Sample, 4>(task, index);
+            return task.components.count == 3 ? read_run<Sample, 4, -1, Value>(task)
+                                              : read_component<Sample, 4, Value>(task, index);
     }
 }
 
 void read_by_type(const ReadTask& task) {
     switch (task.type) {
         case SampleType::U8:
-            return read_samples<std::uint8_t>(task);
+            return task.decode ? read_samples<std::uint8_t, Decoded>(task)
+                               : read_samples<std::uint8_t, AsStored>(task);
         case SampleType::U16:
-            return read_samples<std::uint16_t>(task);
+            return read_samples<std::uint16_t, AsStored>(task);
         case SampleType::F32:
-            return read_samples<float>(task);
+            return read_samples<float, AsStored>(task);
     }
 }
 

@@ -18,12 +18,13 @@ struct Components {
 /// What `pick` means in an image of `channels` channels.
 Components picked_components(ChannelPick pick, int channels);
 
-/// A run of texels as stored: 0..1 for integers.
+/// A run of texels as stored: 0..1 for integers, or in linear light.
 struct ReadTask {
     const std::byte* texels = nullptr;
     SampleType type = SampleType::U8;
     int channels = 4;
     Components components = {};
+    bool decode = false;  ///< sRGB to linear; bytes alone, which a table knows
     int count = 0;
     float* planes[3] = {};  ///< components.count of them
 };

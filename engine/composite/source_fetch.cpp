@@ -39,9 +39,10 @@ Adjustment adjustment_of(const SourceRecord& record, const Image& image,
 
 /// Components as planes; grey fills all three where a colour or normal is read with factors that
 /// differ, and is shared by them where not.
+/// @param decode  sRGB to linear, of bytes that are read texel for texel
 void read_components(const SourceRecord& record, const BoundImage& bound,
                      const Components& components, const TileSpan& span, const TileCoordinates& at,
-                     float* const planes[3]) {
+                     bool decode, float* const planes[3]) {
     const auto& source = std::get<ImageSource>(record.source);
     const Image& image = *bound.image;
     if (components.index[0] < 0) {
@@ -57,6 +58,7 @@ void read_components(const SourceRecord& record, const BoundImage& bound,
                    .type = image.type,
                    .channels = image.channels,
                    .components = components,
+                   .decode = decode,
                    .count = span.count,
                    .planes = {planes[0], planes[1], planes[2]}});
         return;
@@ -82,7 +84,7 @@ ReadPlane fetch_coverage(const SourceRecord& record, const BoundImage& bound, co
     source.pick = ChannelPick::Alpha;
     source.invert = false;
     float* const target[3] = {planes.source_coverage(), nullptr, nullptr};
-    read_components(plain, bound, alpha, span, at, target);
+    read_components(plain, bound, alpha, span, at, false, target);
     return {.data = target[0]};
 }
 
@@ -90,9 +92,12 @@ FetchedSource fetch_image(const SourceRecord& record, const BoundImage& bound, c
                           const TileCoordinates& at, float* const target[3], TilePlanes& planes) {
     const auto& source = std::get<ImageSource>(record.source);
     const Components components = picked_components(source.pick, bound.image->channels);
-    read_components(record, bound, components, span, at, target);
     const bool filtered = at.u != nullptr || !bound.texel_for_texel || components.index[0] < 0;
-    const Adjustment adjustment = adjustment_of(record, *bound.image, components, filtered);
+    Adjustment adjustment = adjustment_of(record, *bound.image, components, filtered);
+    const bool decodes_bytes =
+        bound.image->type == SampleType::U8 && adjustment.decode && !adjustment.invert;
+    if (decodes_bytes) adjustment.decode = false;
+    read_components(record, bound, components, span, at, decodes_bytes, target);
     int count = components.count;
     if (count == 1 && is_vector(record.reading)) {
         for (int k = 1; k < 3; ++k) copy_tile(target[0], target[k], span.count);

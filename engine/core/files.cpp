@@ -43,25 +43,12 @@ class Descriptor {
 
 template <typename Buffer>
 Result<Buffer> read_regular_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
-    // O_NONBLOCK: opening a FIFO must not wait for a writer.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (!file) return failure("{}: cannot open: {}", shown(path), std::strerror(errno));
-    struct stat info = {};
-    if (::fstat(file.get(), &info) != 0)
-        return failure("{}: cannot read its size: {}", shown(path), std::strerror(errno));
-    if (!S_ISREG(info.st_mode)) return failure("{}: not a regular file", shown(path));
-    const auto size = static_cast<std::uint64_t>(info.st_size);
-    if (size > limit_bytes)
-        return failure("{}: {} bytes, more than the limit of {}", shown(path), size, limit_bytes);
+    const Result<OpenedFile> file = OpenedFile::open(path, limit_bytes);
+    if (!file) return passed_on(file);
     Buffer buffer;
-    buffer.resize(size);
-    for (std::size_t done = 0; done < size;) {
-        const ssize_t got = ::read(file.get(), buffer.data() + done, size - done);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return failure("{}: cannot read: {}", shown(path), std::strerror(errno));
-        if (got == 0) return failure("{}: became shorter while it was read", shown(path));
-        done += static_cast<std::size_t>(got);
-    }
+    buffer.resize(file->size());
+    if (const Status read = file->read(0, std::as_writable_bytes(std::span(buffer))); !read)
+        return passed_on(read);
     return buffer;
 }
 
@@ -137,6 +124,50 @@ Result<std::filesystem::path> found_by_program(
 }
 
 }  // namespace
+
+Result<OpenedFile> OpenedFile::open(const std::filesystem::path& path, std::uint64_t limit_bytes) {
+    // O_NONBLOCK: opening a FIFO must not wait for a writer.
+    OpenedFile file(path, ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.descriptor_ < 0)
+        return failure("{}: cannot open: {}", shown(path), std::strerror(errno));
+    struct stat info = {};
+    if (::fstat(file.descriptor_, &info) != 0)
+        return failure("{}: cannot read its size: {}", shown(path), std::strerror(errno));
+    if (!S_ISREG(info.st_mode)) return failure("{}: not a regular file", shown(path));
+    file.size_ = static_cast<std::uint64_t>(info.st_size);
+    if (file.size_ > limit_bytes)
+        return failure("{}: {} bytes, more than the limit of {}", shown(path), file.size_,
+                       limit_bytes);
+    return file;
+}
+
+OpenedFile::~OpenedFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+OpenedFile::OpenedFile(OpenedFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_) {}
+
+OpenedFile& OpenedFile::operator=(OpenedFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(descriptor_, other.descriptor_);
+    std::swap(size_, other.size_);
+    return *this;
+}
+
+Status OpenedFile::read(std::uint64_t offset, std::span<std::byte> to) const {
+    while (!to.empty()) {
+        const ssize_t got = ::pread(descriptor_, to.data(), to.size(), static_cast<off_t>(offset));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return failure("{}: cannot read: {}", shown(path_), std::strerror(errno));
+        if (got == 0) return failure("{}: became shorter while it was read", shown(path_));
+        offset += static_cast<std::uint64_t>(got);
+        to = to.subspan(static_cast<std::size_t>(got));
+    }
+    return {};
+}
 
 Result<Bytes> read_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
     return read_regular_file<Bytes>(path, limit_bytes);

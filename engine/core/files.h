@@ -22,6 +22,29 @@ using Bytes = std::vector<std::byte>;
 /// The limit that Patina sets on any single file it reads: 2 GiB.
 inline constexpr std::uint64_t kFileLimitBytes = std::uint64_t{2} << 30;
 
+/// A regular file, opened to be read in parts. A directory, FIFO, socket or device, or a file
+/// larger than `limit_bytes`, is an error that names the path; so is a part that cannot be read.
+class OpenedFile {
+  public:
+    static Result<OpenedFile> open(const std::filesystem::path& path,
+                                   std::uint64_t limit_bytes = kFileLimitBytes);
+    ~OpenedFile();
+    OpenedFile(OpenedFile&& other) noexcept;
+    OpenedFile& operator=(OpenedFile&& other) noexcept;
+
+    std::uint64_t size() const { return size_; }
+    /// Fills `to` with what lies at `offset`.
+    Status read(std::uint64_t offset, std::span<std::byte> to) const;
+
+  private:
+    OpenedFile(std::filesystem::path path, int descriptor)
+        : path_(std::move(path)), descriptor_(descriptor) {}
+
+    std::filesystem::path path_;
+    int descriptor_;
+    std::uint64_t size_ = 0;
+};
+
 /// Reads a regular file whole. A directory, FIFO, socket or device, a file larger than
 /// `limit_bytes`, or one that changes size while it is read is an error that names the path.
 Result<Bytes> read_file(const std::filesystem::path& path,

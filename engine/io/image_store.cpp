@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "io/image_decode.h"
 #include "io/png_writer.h"
+#include "io/tiff_reader.h"
 
 namespace patina::io {
 namespace {
@@ -139,15 +140,29 @@ Result<ImageAssetPtr> ImageStore::add(std::shared_ptr<const Bytes> encoded, std:
 }
 
 Result<ImageAssetPtr> ImageStore::add_file(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    const auto named = [&](Result<ImageAssetPtr> asset) -> Result<ImageAssetPtr> {
+        if (asset) return asset;
+        return failure("{}: {}", quoted_for_message(path.string()), asset.error().message);
+    };
+    if (const auto plain = open_plain_tiff(path)) return named(add_plain(*plain, name));
     const auto bytes = read_large_file(path);
     if (!bytes) return passed_on(bytes);
-    const std::string name = path.filename().string();
     const std::string_view format = image_format(*bytes, name);
     const bool is_kept = format == "png" || format == "jpeg";
-    auto asset = is_kept ? add(std::make_shared<const Bytes>(bytes->begin(), bytes->end()), name)
-                         : add_converted(*bytes, name);
-    if (!asset) return failure("{}: {}", quoted_for_message(path.string()), asset.error().message);
-    return asset;
+    return named(is_kept ? add(std::make_shared<const Bytes>(bytes->begin(), bytes->end()), name)
+                         : add_converted(*bytes, name));
+}
+
+/// The pixels of an uncompressed file tell it from others as well as all of it would.
+Result<ImageAssetPtr> ImageStore::add_plain(OpenedImage& plain, std::string_view name) {
+    if (const auto fits = check_image_size(plain.header(), state_->limits); !fits)
+        return passed_on(fits);
+    const auto image = plain.pixels();
+    if (!image) return passed_on(image);
+    const Hash128 pixels = content_hash(**image);
+    if (const auto known = state_->find_asset(pixels)) return known;
+    return add_as_png(pixels, *image, pixels, name, plain.header().color_space);
 }
 
 Result<ImageAssetPtr> ImageStore::add_converted(std::span<const std::byte> file,
@@ -169,8 +184,8 @@ Result<ImageAssetPtr> ImageStore::add_converted(std::span<const std::byte> file,
         asset.color_space = header.color_space;
         return add_decoded(file_hash, *image, std::move(asset));
     }
-    return add_as_png(file_hash, is_float ? shared_as_u16(**image) : *image, name,
-                      header.color_space);
+    const ImagePtr stored = is_float ? shared_as_u16(**image) : *image;
+    return add_as_png(file_hash, stored, content_hash(*stored), name, header.color_space);
 }
 
 std::vector<Result<ImageAssetPtr>> ImageStore::add_files(
@@ -186,14 +201,15 @@ std::vector<Result<ImageAssetPtr>> ImageStore::add_files(
 
 /// Takes decoded pixels in, which are to be carried as PNG once they are saved.
 Result<ImageAssetPtr> ImageStore::add_as_png(const Hash128& file, const ImagePtr& image,
-                                             std::string_view name, ColorSpace color_space) {
+                                             const Hash128& pixels, std::string_view name,
+                                             ColorSpace color_space) {
     if (const auto fits = state_->reserve(image->data.size()); !fits) return passed_on(fits);
     const auto encode = [image]() -> std::shared_ptr<const Bytes> {
         auto png = encode_png(*image);
         return png ? std::make_shared<const Bytes>(std::move(*png)) : nullptr;
     };
     ImageAsset asset =
-        asset_of(content_hash(*image), *image, name, "image/png", EncodedImage::when_asked(encode));
+        asset_of(pixels, *image, name, "image/png", EncodedImage::when_asked(encode));
     asset.color_space = color_space;  // which the PNG will say nothing of
     return add_decoded(file, image, std::move(asset));
 }

@@ -29,6 +29,8 @@ struct ImageLimits {
 Result<ImagePtr> decode_image(std::span<const std::byte> encoded, std::string_view name,
                               const ImageLimits& limits = {});
 
+class OpenedImage;
+
 /// Thread-safe.
 class ImageStore final : public ImageProvider {
   public:
@@ -60,8 +62,10 @@ class ImageStore final : public ImageProvider {
 
   private:
     Result<ImageAssetPtr> add_converted(std::span<const std::byte> file, std::string_view name);
+    Result<ImageAssetPtr> add_plain(OpenedImage& plain, std::string_view name);
     Result<ImageAssetPtr> add_as_png(const Hash128& file, const ImagePtr& image,
-                                     std::string_view name, ColorSpace color_space);
+                                     const Hash128& pixels, std::string_view name,
+                                     ColorSpace color_space);
     Result<ImageAssetPtr> add_decoded(const Hash128& file, const ImagePtr& image, ImageAsset asset);
 
     struct State;

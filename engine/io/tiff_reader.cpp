@@ -4,17 +4,29 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstring>
+#include <optional>
+
+#include "core/files.h"
 
 namespace patina::io {
 namespace {
 
-/// What libtiff's callbacks work on.
+/// What libtiff's callbacks work on: bytes in memory, or a file.
 struct Source {
     std::span<const std::byte> bytes;
+    std::optional<OpenedFile> file;
     std::uint64_t at = 0;
     std::string fault;  ///< the first thing that libtiff had to say
+
+    std::uint64_t size() const { return file ? file->size() : bytes.size(); }
+    bool read(std::span<std::byte> to) const {
+        if (file) return file->read(at, to).has_value();
+        std::memcpy(to.data(), bytes.data() + at, to.size());
+        return true;
+    }
 };
 
 Source& source_of(thandle_t handle) {
@@ -23,10 +35,9 @@ Source& source_of(thandle_t handle) {
 
 tmsize_t read_bytes(thandle_t handle, void* to, tmsize_t size) {
     Source& source = source_of(handle);
-    const std::uint64_t left =
-        source.at < source.bytes.size() ? source.bytes.size() - source.at : 0;
+    const std::uint64_t left = source.at < source.size() ? source.size() - source.at : 0;
     const auto count = std::min(static_cast<std::uint64_t>(std::max<tmsize_t>(size, 0)), left);
-    if (count > 0) std::memcpy(to, source.bytes.data() + source.at, count);
+    if (count > 0 && !source.read({static_cast<std::byte*>(to), count})) return -1;
     source.at += count;
     return static_cast<tmsize_t>(count);
 }
@@ -39,7 +50,7 @@ toff_t seek(thandle_t handle, toff_t offset, int from) {
     Source& source = source_of(handle);
     if (from == SEEK_SET) source.at = offset;
     if (from == SEEK_CUR) source.at += offset;
-    if (from == SEEK_END) source.at = source.bytes.size() + offset;
+    if (from == SEEK_END) source.at = source.size() + offset;
     return source.at;
 }
 
@@ -48,12 +59,13 @@ int close_nothing(thandle_t) {
 }
 
 toff_t size_of(thandle_t handle) {
-    return source_of(handle).bytes.size();
+    return source_of(handle).size();
 }
 
 /// Strips are copied from here, without a buffer between.
 int map(thandle_t handle, void** base, toff_t* size) {
     const Source& source = source_of(handle);
+    if (source.file) return 0;
     *base = const_cast<std::byte*>(source.bytes.data());
     *size = source.bytes.size();
     return 1;
@@ -116,8 +128,8 @@ bool is_plain(TIFF* file) {
 
 class PlainTiff final : public OpenedImage {
   public:
-    explicit PlainTiff(std::span<const std::byte> encoded)
-        : source_{.bytes = encoded, .fault = {}} {}
+    explicit PlainTiff(std::span<const std::byte> encoded) { source_.bytes = encoded; }
+    explicit PlainTiff(OpenedFile file) { source_.file = std::move(file); }
 
     /// Whether it is one of those that are read here.
     bool open() {
@@ -133,7 +145,7 @@ class PlainTiff final : public OpenedImage {
                    .type = small_field(file_.get(), TIFFTAG_BITSPERSAMPLE) == 8 ? SampleType::U8
                                                                                 : SampleType::U16,
                    .format = "tiff"};
-        return header_.decoded_bytes() <= source_.bytes.size();
+        return header_.decoded_bytes() <= source_.size();
     }
 
     const ImageHeader& header() const override { return header_; }
@@ -165,10 +177,23 @@ class PlainTiff final : public OpenedImage {
     ImageHeader header_;
 };
 
+bool is_tiff(const OpenedFile& file) {
+    std::array<std::byte, 4> start{};
+    return file.size() >= start.size() && file.read(0, start) && image_format(start, {}) == "tiff";
+}
+
 }  // namespace
 
 std::unique_ptr<OpenedImage> open_plain_tiff(std::span<const std::byte> encoded) {
     auto image = std::make_unique<PlainTiff>(encoded);
+    if (!image->open()) return nullptr;
+    return image;
+}
+
+std::unique_ptr<OpenedImage> open_plain_tiff(const std::filesystem::path& path) {
+    Result<OpenedFile> file = OpenedFile::open(path);
+    if (!file || !is_tiff(*file)) return nullptr;
+    auto image = std::make_unique<PlainTiff>(std::move(*file));
     if (!image->open()) return nullptr;
     return image;
 }
