@@ -80,6 +80,11 @@ TEST_F(TiffReader, ReadsPlainFilesAsOpenImageIODoes) {
         const auto image = open->pixels();
         ASSERT_TRUE(image) << image.error().message;
         EXPECT_TRUE(**image == read_by_openimageio(encoded, "tiff"));
+        const auto of_file = open_plain_tiff(folder_.path() / "a.tif");
+        ASSERT_NE(of_file, nullptr);
+        const auto same = of_file->pixels();
+        ASSERT_TRUE(same) << same.error().message;
+        EXPECT_TRUE(**same == **image);
         const auto other = (*image_codecs())->open(encoded, "a", "tiff");
         EXPECT_EQ(open->header().color_space, (*other)->header().color_space);
     }
@@ -88,7 +93,9 @@ TEST_F(TiffReader, ReadsPlainFilesAsOpenImageIODoes) {
 TEST_F(TiffReader, LeavesAllOthersToOpenImageIO) {
     const auto is_left = [&](const TiffFile& file) {
         const Bytes encoded = written(file);
-        return open_plain_tiff(encoded) == nullptr && decode_image(encoded, "a.tif").has_value();
+        return open_plain_tiff(encoded) == nullptr &&
+               open_plain_tiff(folder_.path() / "a.tif") == nullptr &&
+               decode_image(encoded, "a.tif").has_value();
     };
     EXPECT_FALSE(is_left({}));
     EXPECT_TRUE(is_left({.compression = COMPRESSION_LZW}));
@@ -105,7 +112,16 @@ TEST_F(TiffReader, DecodesNoFileWhoseEndIsMissing) {
         const auto open = open_plain_tiff(part);
         EXPECT_TRUE(open == nullptr || !open->pixels()) << size;
         EXPECT_FALSE(decode_image(part, "a.tif")) << size;
+        const auto path = folder_.path() / "part.tif";
+        ASSERT_TRUE(write_file_atomically(path, part));
+        const auto of_file = open_plain_tiff(path);
+        EXPECT_TRUE(of_file == nullptr || !of_file->pixels()) << size;
     }
+}
+
+TEST_F(TiffReader, OpensNoFolderAndNothingThatIsNotThere) {
+    EXPECT_EQ(open_plain_tiff(folder_.path()), nullptr);
+    EXPECT_EQ(open_plain_tiff(folder_.path() / "none.tif"), nullptr);
 }
 
 }  // namespace
