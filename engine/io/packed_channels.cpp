@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "composite/bake_channels.h"
 #include "core/formulae/formulae.h"
@@ -51,17 +53,11 @@ void pack(const PackedMap& map, int c, const ChannelSpan& span, Image& image) {
 }
 
 void pack(const PackedMap& map, const ChannelSpan& span, Image& image) {
-    for (int c = 0; c < image.channels; ++c) switch (image.type) {
-            case SampleType::U8:
-                pack<std::uint8_t>(map, c, span, image);
-                break;
-            case SampleType::U16:
-                pack<std::uint16_t>(map, c, span, image);
-                break;
-            case SampleType::F32:
-                pack<float>(map, c, span, image);
-                break;
-        }
+    for (int c = 0; c < image.channels; ++c) {
+        if (image.type == SampleType::U8) pack<std::uint8_t>(map, c, span, image);
+        if (image.type == SampleType::U16) pack<std::uint16_t>(map, c, span, image);
+        if (image.type == SampleType::F32) pack<float>(map, c, span, image);
+    }
 }
 
 template <typename Sample>

@@ -36,15 +36,15 @@ struct SideArea {
 };
 SideArea side_area(const View& view, glm::ivec2 size, FrameSide side);
 
+/// Where a frame may show surfaces: one area of each picture in it.
+std::vector<gl::Viewport> surface_areas(const RendererState& state, const View& view,
+                                        glm::ivec2 size);
+
 /// The radiance of the left and the right shading, each a whole picture of `size`.
 struct SidePictures {
     const gl::Framebuffer* left = nullptr;
     const gl::Framebuffer* right = nullptr;
 };
-/// Where a frame may show surfaces: one area of each picture in it.
-std::vector<gl::Viewport> surface_areas(const RendererState& state, const View& view,
-                                        glm::ivec2 size);
-
 Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size);
 
 /// The costs of the last frame drawn.

@@ -28,14 +28,20 @@ TEST(EnvironmentSampler, DrawsASunAsOftenAsItsLightIsOfAll) {
     const glm::vec3 to_sun = texel_direction(*map, 50, 9);
     const float reach = std::cos(2.0f * glm::pi<float>() / 32.0f);  // two texels
     double sun = 0.0;
+    glm::dvec3 irradiance(0.0);  // on a surface that faces +Y
     for (std::uint32_t i = 0; i < kCount; ++i) {
         const EnvironmentSample sample = sampler.sample(sobol_point(i));
         ASSERT_GT(sample.density, 0.0f);
         ASSERT_NEAR(glm::length(sample.towards), 1.0f, 1e-5f);
         if (glm::dot(sample.towards, to_sun) > reach) sun += 1.0 / kCount;
+        irradiance += glm::dvec3(sample.radiance_linear) *
+                      (std::max(double{sample.towards.y}, 0.0) / double{sample.density} / kCount);
     }
-    const double of_sun = 4138.4 * texel_solid_angle(*map, 9);
-    EXPECT_NEAR(sun, of_sun / sampler.total_luminance(), 2e-3);
+    // What lies around the sun, within reach of it, is 0.31 bright.
+    const double around = 0.31 * 2.0 * glm::pi<double>() * (1.0 - double{reach});
+    const double of_sun = 4138.4 * texel_solid_angle(*map, 9) + around;
+    EXPECT_NEAR(sun, of_sun / sampler.total_luminance(), 1e-3);
+    EXPECT_GT(irradiance.x, irradiance.y);
 }
 
 TEST(EnvironmentSampler, DrawsEveryDirectionAsDenselyAsItIsReadBright) {
