@@ -1,7 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs clang-tidy over the sources of engine/ and app/:  check_tidy.sh BUILD_FOLDER
+# Runs clang-tidy over the sources of engine/ and app/:  check_tidy.sh BUILD_FOLDER [--alone]
 # BUILD_FOLDER is a release build that is up to date; Ninja's log there knows each file's headers.
+#
+# Nearly all of its time goes by in headers, so the files of a folder are looked at together, as one
+# text that includes them; those that do not compile together are halved until they do. --alone looks
+# at each by itself: it also sees an alias that is unused in its file and used in another.
 #
 # A file that passed is not looked at again until it, one of Patina's headers that it includes, the
 # checks or the build's description change. What passed is remembered by a hash of all those in
@@ -10,10 +14,13 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 
 build_folder=$1
-passed_folder=${XDG_CACHE_HOME:-$HOME/.cache}/patina/tidy
+files_together=12
+[[ ${2:-} == --alone ]] && files_together=1
+passed_folder=${XDG_CACHE_HOME:-$HOME/.cache}/patina/tidy/$files_together
 work_folder=$(mktemp -d)
 trap 'rm -rf "$work_folder"' EXIT
 mkdir -p "$passed_folder"
+export passed_folder work_folder
 
 # "SOURCE DEPENDENCY" for each file of this tree that an object of engine/ or app/ is made from.
 # Ninja lists the source itself first, and paths as seen from the build folder.
@@ -29,11 +36,11 @@ list_dependencies() {
             print source, path }'
 }
 
-# "HASH SOURCE" for each source: the hash of everything that its verdict hangs on.
+# "SOURCE HASH" for each source: the hash of everything that its verdict hangs on.
 list_keys() {
     local common dependencies=$work_folder/dependencies
     common=$( (clang-tidy-14 --version; cat .clang-tidy CMakeLists.txt CMakePresets.json \
-        engine/CMakeLists.txt app/CMakeLists.txt) | sha256sum)
+        engine/CMakeLists.txt app/CMakeLists.txt "$0") | sha256sum)
     list_dependencies >"$dependencies"
     awk '{ print $2 }' "$dependencies" | sort -u | xargs sha256sum |
         awk -v common="$common" '
@@ -41,30 +48,79 @@ list_keys() {
             { text[$1] = text[$1] " " $2 "=" hash[$2] }
             END { for (source in text) print source, common, text[source] }' - "$dependencies" |
         while read -r source text; do
-            printf '%s %s\n' "$(sha256sum <<<"$text" | cut -c1-40)" "$source"
-        done
+            printf '%s %s\n' "$source" "$(sha256sum <<<"$text" | cut -c1-40)"
+        done | sort
 }
 
-# Checks one file and remembers that it passed. Its output is printed in one piece.
-check_one() {
-    local key=$1 source=$2 output
-    if output=$(clang-tidy-14 -p build/clang --quiet "$source" 2>/dev/null); then
-        touch "$3/$key"
-        echo "passed $source"
+# "SOURCE FLAG..." for each source, as Clang is to compile it. CMake writes a member a line.
+list_flags() {
+    awk -v tree="$PWD/" '
+        function unescaped(text) {
+            gsub(/\\\\/, "\001", text); gsub(/\\"/, "\"", text); gsub(/\001/, "\\", text)
+            return text
+        }
+        /"command": / { sub(/^.*clang\+\+-14 /, ""); sub(/ -o .*$/, ""); flags = unescaped($0) }
+        /"file": / { gsub(/^.*": "|",?$/, ""); print substr($0, length(tree) + 1), flags }' \
+        build/clang/compile_commands.json | sort -u -k1,1
+}
+
+# tidy FLAGS FILE [OPTION...]: kernels are looked at for one instruction set.
+tidy() {
+    eval "clang-tidy-14 --quiet $(printf '%q ' "${@:2}") -- $1 -DHWY_COMPILE_ONLY_STATIC" 2>/dev/null
+}
+
+# check FLAGS "SOURCE KEY"...: looks at files that are compiled with the same flags. Every verdict is
+# printed in one piece.
+check() {
+    local flags=$1 text output half status=0; shift
+    local -a sources=("${@% *}") keys=("${@#* }") call
+    if (($# == 1)); then
+        call=("$PWD/$sources")
     else
-        printf 'FAILED %s\n%s\n' "$source" "$output"
+        text=$work_folder/$keys.cpp
+        printf "#include \"$PWD/%s\"\n" "${sources[@]}" >"$text"
+        call=("$text" --config-file="$PWD/.clang-tidy" --header-filter='/(engine|app)/'
+            --checks=-bugprone-suspicious-include)
+    fi
+    if output=$(tidy "$flags" "${call[@]}"); then
+        (cd "$passed_folder" && touch "${keys[@]}")
+        printf 'passed %s\n' "${sources[@]}"
+    elif (($# > 1)) && [[ $output == *clang-diagnostic-* ]]; then
+        half=$(($# / 2))
+        check "$flags" "${@:1:half}" || status=1
+        check "$flags" "${@:half + 1}" || status=1
+        return "$status"
+    else
+        printf 'FAILED %s\n%s\n' "${sources[*]}" "$output"
         return 1
     fi
 }
-export -f check_one
 
-list_keys | sort -k2 >"$work_folder/keys"
-while read -r key source; do
+# check_batch FILE: its lines are "SOURCE KEY FLAG...", all with the same flags.
+check_batch() {
+    local -a files
+    mapfile -t files < <(cut -d' ' -f1-2 "$1")
+    check "$(head -1 "$1" | cut -d' ' -f3-)" "${files[@]}"
+}
+export -f tidy check check_batch
+
+list_keys >"$work_folder/keys"
+while read -r source key; do
     # Touching marks it as used; what is unused for a month goes.
-    if [[ -f $passed_folder/$key ]]; then touch "$passed_folder/$key"; else echo "$key $source"; fi
+    if [[ -f $passed_folder/$key ]]; then touch "$passed_folder/$key"; else echo "$source $key"; fi
 done <"$work_folder/keys" >"$work_folder/changed"
-find "$passed_folder" -type f -mtime +30 -delete
+find "${passed_folder%/*}" -type f -mtime +30 -delete
 
 echo "clang-tidy: $(wc -l <"$work_folder/changed") of $(wc -l <"$work_folder/keys") files have changed"
-xargs -r -a "$work_folder/changed" -P "$(nproc)" -n 2 \
-    bash -c 'check_one "$2" "$3" "$1"' check_one "$passed_folder"
+# Highway compiles a file with kernels again for every instruction set, which it can do once in a text.
+grep -rl hwy/foreach_target.h engine app >"$work_folder/kernels"
+join "$work_folder/changed" <(list_flags) |
+    awk -v most="$files_together" -v kernels="$work_folder/kernels" -v folder="$work_folder" '
+        BEGIN { while ((getline path <kernels) > 0) alone[path] = 1 }
+        { path = $1; sub(/\/[^\/]*$/, "", path)
+          flags = $0; sub(/^[^ ]+ [^ ]+ /, "", flags)
+          group = ($1 in alone ? $1 : path) " " flags
+          if (count[group]++ % most == 0) file[group] = folder "/batch" ++made
+          print >(file[group]) }'
+find "$work_folder" -name 'batch*' -print0 |
+    xargs -r -0 -P "$(nproc)" -n 1 bash -c 'check_batch "$1"' check_batch

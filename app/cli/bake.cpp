@@ -18,7 +18,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kBakeFooter =
     "Layers lie on top of what the material had; textures that no layer covers stay as they are.\n"
     "With nothing to change, the output is the input, byte for byte.\n"
     "\n"
@@ -136,7 +136,7 @@ Status run_bake(const BakeOptions& options) {
 void add_bake(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand(
         "bake", "Lay on presets, textures and layers, bake every stack, write a glTF file");
-    command->footer(kFooter);
+    command->footer(kBakeFooter);
     auto options = std::make_shared<BakeOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".glb", ".gltf"},

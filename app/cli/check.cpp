@@ -12,7 +12,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kCheckFooter =
     "Exit status 1 when the file cannot be opened or one of its images cannot be decoded. What is\n"
     "merely unusual (a material that is half a metal, a white that is whiter than snow) is "
     "reported\n"
@@ -106,7 +106,7 @@ Status run_check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("check", "Read and decode everything; report what is wrong");
-    command->footer(kFooter);
+    command->footer(kCheckFooter);
     auto options = std::make_shared<CheckOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     command->add_flag("--json", options->json, "Report as JSON");

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kCommands = {add_bake,    add_render, add_export, add_info,   add_explain,
                                   add_compare, add_check,  add_preset, add_sample, add_completion};
 
-constexpr const char* kFooter =
+constexpr const char* kCommandLineFooter =
     "Examples:\n"
     "  patina model.glb                      open the editor on a model\n"
     "  patina sample -o ball.glb             write the sample scene\n"
@@ -71,7 +71,7 @@ Invocation parse(int argc, char** argv) {
     CLI::App app("Patina, an editor for layered physically based materials in glTF files.");
     app.name("patina");
     app.set_version_flag("--version", "patina " PATINA_VERSION);
-    app.footer(kFooter);
+    app.footer(kCommandLineFooter);
     app.require_subcommand(0, 1);
     EditorRequest editor;
     add_editor_options(app, editor);

@@ -11,14 +11,13 @@
 #include "cli/input.h"
 #include "cli/progress_bar.h"
 #include "composite/bake_channels.h"
+#include "core/json.h"
 #include "document/difference.h"
 
 namespace patina::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr const char* kFooter =
+constexpr const char* kCompareFooter =
     "Materials and layers are matched by their names. Both are baked at the same size, and every\n"
     "channel is compared texel by texel: colours in linear light, 1 is the whole range.\n"
     "\n"
@@ -163,7 +162,7 @@ Status run_compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand(
         "compare", "Say what differs between two files, in words and in their maps' numbers");
-    command->footer(kFooter);
+    command->footer(kCompareFooter);
     auto options = std::make_shared<CompareOptions>();
     command->add_option("BEFORE", options->before, "A .gltf or .glb file")
         ->required()

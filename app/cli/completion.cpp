@@ -11,7 +11,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kCompletionFooter =
     "'cmake --install' puts it where bash looks for it. By hand:\n"
     "  source <(patina completion)";
 
@@ -100,7 +100,7 @@ std::string completion_script(const CLI::App& root) {
 
 void add_completion(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("completion", "Print the completion script for bash");
-    command->footer(kFooter);
+    command->footer(kCompletionFooter);
     command->callback([&app, &chosen] {
         chosen = [script = completion_script(app)]() -> Status {
             fmt::print("{}", script);

@@ -9,15 +9,14 @@
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "composite/composite.h"
+#include "core/json.h"
 #include "document/choices.h"
 #include "document/worn_surface.h"
 
 namespace patina::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr const char* kFooter =
+constexpr const char* kExplainFooter =
     "Runs the program that bakes, for one texel: what is printed is exact. The lowest layer "
     "stands\n"
     "first. Colours are linear light; weight is opacity x channel opacity x mask x coverage. The "
@@ -140,7 +139,7 @@ Status run_explain(const ExplainOptions& options) {
 
 void add_explain(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("explain", "Show how a texel comes about, layer by layer");
-    command->footer(kFooter);
+    command->footer(kExplainFooter);
     auto options = std::make_shared<ExplainOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     command->add_option("--material", options->material, "Which one, where the file has several")

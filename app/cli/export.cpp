@@ -13,7 +13,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kExportFooter =
     "A file MATERIAL_MAP.png for each map in which something varies, whether it was baked from\n"
     "layers or came with the model. Colours are sRGB-encoded, in 32 bits and in exr linear.\n"
     "\n"
@@ -56,7 +56,7 @@ Status run_export(const ExportOptions& options) {
 
 void add_export(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("export", "Write the maps as images, packed for a program");
-    command->footer(kFooter);
+    command->footer(kExportFooter);
     auto options = std::make_shared<ExportOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     command->add_option("-o,--output", options->folder, "The folder for the maps")

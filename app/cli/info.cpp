@@ -9,15 +9,14 @@
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/uv_report.h"
+#include "core/json.h"
 #include "document/choices.h"
 #include "document/worn_surface.h"
 
 namespace patina::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr const char* kFooter =
+constexpr const char* kInfoFooter =
     "The top of a stack is printed first, as in the editor.\n"
     "\n"
     "Examples:\n"
@@ -204,7 +203,7 @@ Status run_info(const InfoOptions& options) {
 void add_info(CLI::App& app, Command& chosen) {
     auto* command =
         app.add_subcommand("info", "Show the scene and each material's stack as a tree");
-    command->footer(kFooter);
+    command->footer(kInfoFooter);
     auto options = std::make_shared<InfoOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     command->add_flag("--json", options->json, "Report as JSON");

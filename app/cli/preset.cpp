@@ -8,14 +8,13 @@
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "core/files.h"
+#include "core/json.h"
 #include "document/preset.h"
 #include "document/record.h"
 #include "io/preset_library.h"
 
 namespace patina::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const io::PresetFile& file) {
     const Preset& preset = file.preset;
@@ -68,7 +67,7 @@ void add_show(CLI::App& app, Command& chosen) {
     command->callback([name, &chosen] { chosen = [name] { return run_show(*name); }; });
 }
 
-struct ExportOptions {
+struct PresetExportOptions {
     std::filesystem::path input;
     std::filesystem::path output;
     std::string material;
@@ -100,7 +99,7 @@ Status export_images(const Document& document, const std::filesystem::path& fold
     return {};
 }
 
-Status run_export(const ExportOptions& options) {
+Status run_preset_export(const PresetExportOptions& options) {
     const auto loaded = opened_document(options.input, {});
     if (!loaded) return passed_on(loaded);
     const auto materials = named_materials(*loaded->document, options.material);
@@ -123,7 +122,7 @@ Status run_export(const ExportOptions& options) {
 
 void add_export_preset(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("export", "Write a material's stack as a preset file");
-    auto options = std::make_shared<ExportOptions>();
+    auto options = std::make_shared<PresetExportOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".json"},
                       "The preset to write; images of its layers go beside it");
@@ -138,7 +137,8 @@ void add_export_preset(CLI::App& app, Command& chosen) {
     text("--author", options->preset.author, "Who made it");
     text("--licence", options->preset.licence, "An SPDX identifier, such as CC0-1.0");
     text("--description", options->preset.description, "A sentence");
-    command->callback([options, &chosen] { chosen = [options] { return run_export(*options); }; });
+    command->callback(
+        [options, &chosen] { chosen = [options] { return run_preset_export(*options); }; });
 }
 
 Status run_check(const std::vector<std::filesystem::path>& paths) {

@@ -15,7 +15,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kRenderFooter =
     "World: right-handed, +Y up, metres. A direction (x, y, z) reads an environment at\n"
     "u = 0.5 + atan2(z, x) / 2pi, v = acos(y) / pi from the top row.\n"
     "A .png holds the exposed and tone-mapped picture; a .exr holds linear radiance without both,\n"
@@ -172,7 +172,7 @@ Status run_render(const RenderOptions& options) {
 
 void add_render(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("render", "Draw a picture of a file, without a window");
-    command->footer(kFooter);
+    command->footer(kRenderFooter);
     auto options = std::make_shared<RenderOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
     add_output_option(*command, options->output, {".png", ".tif", ".exr"}, "The picture to write");

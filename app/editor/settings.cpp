@@ -5,19 +5,18 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/json.h"
 #include "core/user_folder.h"
 
 namespace patina::editor {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
 constexpr double kMostPixels = 16384.0;
 
 /// A number of the file within its range, or what was there before.
 template <typename Number>
-void read_number(const Json& object, const char* key, double minimum, double maximum,
+void read_number(const SortedJson& object, const char* key, double minimum, double maximum,
                  Number& value) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number()) return;
@@ -25,15 +24,15 @@ void read_number(const Json& object, const char* key, double minimum, double max
     if (number >= minimum && number <= maximum) value = static_cast<Number>(number);
 }
 
-void read_flag(const Json& object, const char* key, bool& value) {
+void read_flag(const SortedJson& object, const char* key, bool& value) {
     const auto found = object.find(key);
     if (found != object.end() && found->is_boolean()) value = found->get<bool>();
 }
 
-void read_names(const Json& object, const char* key, std::set<std::string>& names) {
+void read_names(const SortedJson& object, const char* key, std::set<std::string>& names) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_array()) return;
-    for (const Json& name : *found)
+    for (const SortedJson& name : *found)
         if (name.is_string()) names.insert(name.get<std::string>());
 }
 
@@ -59,7 +58,7 @@ Settings read_settings(const fs::path& file) {
     if (file.empty() || !fs::is_regular_file(file, error)) return settings;
     const Result<std::string> text = read_text_file(file);
     if (!text) return settings;
-    const Json json = Json::parse(*text, nullptr, false);
+    const SortedJson json = SortedJson::parse(*text, nullptr, false);
     if (!json.is_object()) return settings;
     read_number(json, "window_width", 640.0, kMostPixels, settings.window_width);
     read_number(json, "window_height", 400.0, kMostPixels, settings.window_height);
@@ -83,14 +82,14 @@ Status write_settings(const fs::path& file, const Settings& settings) {
     if (error)
         return failure("{}: cannot make this folder: {}", file.parent_path().string(),
                        error.message());
-    Json json = {{"window_width", settings.window_width},
-                 {"window_height", settings.window_height},
-                 {"scale", settings.scale},
-                 {"shelf_open", settings.shelf_open},
-                 {"small_cards", settings.small_cards},
-                 {"favourites", settings.favourites},
-                 {"keep_previous", settings.keep_previous},
-                 {"refine_when_idle", settings.refine_when_idle}};
+    SortedJson json = {{"window_width", settings.window_width},
+                       {"window_height", settings.window_height},
+                       {"scale", settings.scale},
+                       {"shelf_open", settings.shelf_open},
+                       {"small_cards", settings.small_cards},
+                       {"favourites", settings.favourites},
+                       {"keep_previous", settings.keep_previous},
+                       {"refine_when_idle", settings.refine_when_idle}};
     for (const SplitterKey& each : kSplitters)
         json["splitters"][each.key] = settings.splitters.*each.member;
     return write_file_atomically(file, json.dump(2) + "\n");

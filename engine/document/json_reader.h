@@ -15,13 +15,12 @@
 #include <vector>
 
 #include "core/hash.h"
+#include "core/json.h"
 #include "core/result.h"
 #include "document/choices.h"
 #include "document/parameters.h"
 
 namespace patina {
-
-using Json = nlohmann::ordered_json;
 
 /// Parses text under limits: depth 160, no key twice in one object, nothing after the value.
 Result<Json> json_from_text(std::string_view text);

@@ -44,7 +44,7 @@ std::string read_text(std::string_view key, JsonObject& object) {
     return text;
 }
 
-PresetImage read_image(const Json& json, const std::string& pointer, JsonFaults& faults) {
+PresetImage read_preset_image(const Json& json, const std::string& pointer, JsonFaults& faults) {
     JsonObject object(json, pointer, faults);
     PresetImage image;
     image.file = object.required_text("file");
@@ -64,7 +64,8 @@ std::vector<PresetImage> read_images(JsonObject& object) {
         return images;
     }
     for (std::size_t i = 0; i < json->size(); ++i)
-        images.push_back(read_image((*json)[i], fmt::format("/images/{}", i), object.faults()));
+        images.push_back(
+            read_preset_image((*json)[i], fmt::format("/images/{}", i), object.faults()));
     return images;
 }
 

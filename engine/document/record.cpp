@@ -89,7 +89,7 @@ Json material_to_json(const Material& material) {
             {"stack", layers_to_json(material.stack, JsonIds::Kept)}};
 }
 
-RecordImage read_image(const Json& json, const std::string& pointer, JsonFaults& faults) {
+RecordImage read_record_image(const Json& json, const std::string& pointer, JsonFaults& faults) {
     JsonObject object(json, pointer, faults);
     RecordImage image;
     image.hash = object.required_hash("hash");
@@ -104,7 +104,7 @@ RecordImage read_image(const Json& json, const std::string& pointer, JsonFaults&
     return image;
 }
 
-std::vector<RecordImage> read_images(JsonObject& parent) {
+std::vector<RecordImage> read_record_images(JsonObject& parent) {
     std::vector<RecordImage> images;
     const Json* json = parent.find("images");
     if (!json) return images;
@@ -113,8 +113,8 @@ std::vector<RecordImage> read_images(JsonObject& parent) {
         return images;
     }
     for (std::size_t i = 0; i < json->size(); ++i)
-        images.push_back(read_image((*json)[i], fmt::format("{}/images/{}", parent.pointer(), i),
-                                    parent.faults()));
+        images.push_back(read_record_image(
+            (*json)[i], fmt::format("{}/images/{}", parent.pointer(), i), parent.faults()));
     return images;
 }
 
@@ -311,7 +311,7 @@ Result<MaterialRecord> material_record_from_json(std::string_view text) {
     const bool has_stack = record.stands_for == MaterialId{};
     if (const Json* stack = has_stack ? object.require("stack") : nullptr)
         record.stack = layers_from_json(*stack, "/stack", faults);
-    record.images = read_images(object);
+    record.images = read_record_images(object);
     record.baked = read_baked(object);
     record.owned_images = read_owned_images(object);
     object.finish();

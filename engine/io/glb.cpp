@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/glb.h"
 
-#include <cstdint>
 #include <cstring>
+
+#include "io/glb_format.h"
 
 namespace patina::io {
 namespace {
-
-// glTF 2.0, section 4.4: a header of magic, version and length, then chunks of length, type, data.
-constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
-constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN\0"
-constexpr std::size_t kHeaderBytes = 12;
-constexpr std::size_t kChunkHeaderBytes = 8;
 
 using ByteSpan = std::span<const std::byte>;
 
@@ -29,9 +23,10 @@ struct Chunk {
 
 /// The chunk at the start of `bytes`, which is then moved past it.
 Result<Chunk> take_chunk(ByteSpan& bytes) {
-    if (bytes.size() < kChunkHeaderBytes) return failure("GLB: cut off in the header of a chunk");
+    if (bytes.size() < kGlbChunkHeaderBytes)
+        return failure("GLB: cut off in the header of a chunk");
     const std::size_t length = word_at(bytes, 0);
-    const Chunk chunk = {.type = word_at(bytes, 4), .data = bytes.subspan(kChunkHeaderBytes)};
+    const Chunk chunk = {.type = word_at(bytes, 4), .data = bytes.subspan(kGlbChunkHeaderBytes)};
     if (length > chunk.data.size())
         return failure("GLB: a chunk of {} bytes, but only {} are left", length, chunk.data.size());
     bytes = chunk.data.subspan(length);
@@ -39,7 +34,7 @@ Result<Chunk> take_chunk(ByteSpan& bytes) {
 }
 
 Status check_header(ByteSpan file) {
-    if (file.size() < kHeaderBytes) return failure("GLB: shorter than its header");
+    if (file.size() < kGlbHeaderBytes) return failure("GLB: shorter than its header");
     if (const auto version = word_at(file, 4); version != 2)
         return failure("GLB: container version {}, only 2 is supported", version);
     if (const std::size_t length = word_at(file, 8); length != file.size())
@@ -49,14 +44,14 @@ Status check_header(ByteSpan file) {
 
 Status split_glb(SourceAsset& asset) {
     if (const auto header = check_header(asset.file); !header) return header;
-    ByteSpan rest = ByteSpan(asset.file).subspan(kHeaderBytes);
+    ByteSpan rest = ByteSpan(asset.file).subspan(kGlbHeaderBytes);
     const auto json = take_chunk(rest);
     if (!json) return passed_on(json);
-    if (json->type != kJsonChunk) return failure("GLB: the first chunk is not JSON");
+    if (json->type != kGlbJsonChunk) return failure("GLB: the first chunk is not JSON");
     asset.json_text.assign(reinterpret_cast<const char*>(json->data.data()), json->data.size());
     // Padding is spaces; some writers pad with NUL bytes.
     asset.json_text.resize(asset.json_text.find_last_not_of(std::string_view(" \0", 2)) + 1);
-    if (rest.size() >= kChunkHeaderBytes && word_at(rest, 4) == kBinChunk) {
+    if (rest.size() >= kGlbChunkHeaderBytes && word_at(rest, 4) == kGlbBinChunk) {
         const auto binary = take_chunk(rest);
         if (!binary) return passed_on(binary);
         asset.binary_chunk.assign(binary->data.begin(), binary->data.end());
@@ -70,7 +65,7 @@ Status split_glb(SourceAsset& asset) {
 }  // namespace
 
 bool is_glb(std::span<const std::byte> file) {
-    return file.size() >= sizeof kMagic && word_at(file, 0) == kMagic;
+    return file.size() >= sizeof kGlbMagic && word_at(file, 0) == kGlbMagic;
 }
 
 Status split_container(SourceAsset& asset) {

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/glb_write.h"
 
-#include <cstdint>
 #include <limits>
+
+#include "io/glb_format.h"
 
 namespace patina::io {
 namespace {
-
-// glTF 2.0, section 4.4; all numbers little-endian.
-constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
-constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN\0"
-constexpr std::uint64_t kHeaderBytes = 12;
-constexpr std::uint64_t kChunkHeaderBytes = 8;
 
 void put_u32(Bytes& bytes, std::uint64_t value) {
     for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
@@ -32,22 +26,22 @@ Result<GlbPieces> GlbPieces::make(const GlbParts& parts) {
     for (const auto piece : parts.binary) binary += piece.size();
     const std::uint64_t json_padded = json + padding_of(json);
     const std::uint64_t binary_padded = binary + padding_of(binary);
-    const std::uint64_t binary_chunk = binary > 0 ? kChunkHeaderBytes + binary_padded : 0;
-    glb.total_bytes_ = kHeaderBytes + kChunkHeaderBytes + json_padded + binary_chunk +
+    const std::uint64_t binary_chunk = binary > 0 ? kGlbChunkHeaderBytes + binary_padded : 0;
+    glb.total_bytes_ = kGlbHeaderBytes + kGlbChunkHeaderBytes + json_padded + binary_chunk +
                        parts.trailing_chunks.size();
     if (glb.total_bytes_ > std::numeric_limits<std::uint32_t>::max())
         return failure(
             "{} bytes, but a .glb holds at most 4 GiB; save as .gltf or at a lower resolution",
             glb.total_bytes_);
-    put_u32(glb.head_, kMagic);
+    put_u32(glb.head_, kGlbMagic);
     put_u32(glb.head_, 2);
     put_u32(glb.head_, glb.total_bytes_);
     put_u32(glb.head_, json_padded);
-    put_u32(glb.head_, kJsonChunk);
+    put_u32(glb.head_, kGlbJsonChunk);
     glb.json_padding_.assign(json_padded - json, std::byte{' '});
     if (binary > 0) {
         put_u32(glb.json_padding_, binary_padded);
-        put_u32(glb.json_padding_, kBinChunk);
+        put_u32(glb.json_padding_, kGlbBinChunk);
     }
     glb.binary_padding_.assign(binary_padded - binary, std::byte{0});
     return glb;

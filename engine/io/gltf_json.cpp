@@ -28,7 +28,7 @@ int GltfJson::number(std::string_view name, int fallback) const {
 
 std::vector<int> GltfJson::numbers_outside(std::string_view array, std::string_view key) const {
     const auto left_out = spans_.member(0, array);
-    const ByteSpan outside = left_out ? spans_.node(*left_out).value : ByteSpan{};
+    const TextSpan outside = left_out ? spans_.node(*left_out).value : TextSpan{};
     std::vector<int> numbers;
     for (int i = 0; i < static_cast<int>(spans_.nodes().size()); ++i) {
         const JsonNode& node = spans_.node(i);

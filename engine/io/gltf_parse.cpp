@@ -7,13 +7,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "io/gltf_model.h"
 #include "io/texture_use.h"
 
 namespace patina::io {
 namespace {
 
-using Json = nlohmann::json;
 using Keys = std::span<const std::string_view>;
 
 constexpr std::uint64_t kModelBytes = std::uint64_t{1} << 30;
@@ -65,7 +65,7 @@ void for_each_item(Object& json, std::string_view key, const Visit& visit) {
 }
 
 template <typename Wanted>
-void keep_members(Json& object, const Wanted& wanted) {
+void keep_members(SortedJson& object, const Wanted& wanted) {
     for (auto member = object.begin(); member != object.end();)
         member = wanted(std::string_view(member.key())) ? std::next(member) : object.erase(member);
 }
@@ -76,7 +76,7 @@ bool among(Keys keys, std::string_view key) {
 
 /// tinygltf takes only whole numbers without a point for integers, and only numbers with one for
 /// more than 32 bits in extensions. Extensions that nothing reads go, at any depth.
-void settle_numbers(Json& json, bool in_extension) {
+void settle_numbers(SortedJson& json, bool in_extension) {
     if (json.is_object()) {
         for (auto& [key, value] : json.items()) {
             const bool opens = key == "extensions" && value.is_object();
@@ -85,7 +85,7 @@ void settle_numbers(Json& json, bool in_extension) {
             settle_numbers(value, in_extension || opens);
         }
     } else if (json.is_array()) {
-        for (Json& element : json) settle_numbers(element, in_extension);
+        for (SortedJson& element : json) settle_numbers(element, in_extension);
     } else if (in_extension && json.is_number()) {
         json = json.get<double>();
     } else if (json.is_number_float()) {
@@ -97,7 +97,7 @@ void settle_numbers(Json& json, bool in_extension) {
 }
 
 /// Of extras, only a record of Patina's; they may be anything, and tinygltf copies them all.
-void keep_record(Json& item) {
+void keep_record(SortedJson& item) {
     const auto extras = item.find("extras");
     if (extras == item.end()) return;
     const auto record = extras->is_object() ? extras->find("patina") : extras->end();
@@ -107,7 +107,7 @@ void keep_record(Json& item) {
         item.erase("extras");
 }
 
-void keep_known_members(Json& json) {
+void keep_known_members(SortedJson& json) {
     keep_members(json, [](std::string_view key) {
         return among(kRootKeys, key) ||
                std::any_of(kArrays.begin(), kArrays.end(),
@@ -115,7 +115,7 @@ void keep_known_members(Json& json) {
     });
     keep_members(json["asset"], [](std::string_view key) { return key == "version"; });
     for (const KnownArray& array : kArrays)
-        for_each_item(json, array.name, [&](Json& item) {
+        for_each_item(json, array.name, [&](SortedJson& item) {
             keep_members(item, [&](std::string_view key) {
                 return key == "name" || among(array.keys, key);
             });
@@ -124,13 +124,13 @@ void keep_known_members(Json& json) {
 }
 
 /// What tinygltf will take, before it takes it. A list of empty objects grows a thousandfold.
-Status check_model_bytes(const Json& json) {
+Status check_model_bytes(const SortedJson& json) {
     std::uint64_t bytes = 0;
     for (const KnownArray& array : kArrays)
-        for_each_item(json, array.name, [&](const Json&) { bytes += array.item_bytes; });
-    for_each_item(json, "meshes", [&](const Json& mesh) {
+        for_each_item(json, array.name, [&](const SortedJson&) { bytes += array.item_bytes; });
+    for_each_item(json, "meshes", [&](const SortedJson& mesh) {
         for_each_item(mesh, "primitives",
-                      [&](const Json&) { bytes += sizeof(tinygltf::Primitive); });
+                      [&](const SortedJson&) { bytes += sizeof(tinygltf::Primitive); });
     });
     if (bytes <= kModelBytes) return {};
     return failure("the lists of the model need more than the limit of {} MiB; simplify the model",
@@ -150,7 +150,7 @@ struct HeldBack {
 };
 
 template <typename T>
-T taken(Json& object, const char* key, T fallback) {
+T taken(SortedJson& object, const char* key, T fallback) {
     const auto member = object.find(key);
     if (member == object.end()) return fallback;
     T value = member->get<T>();
@@ -158,43 +158,43 @@ T taken(Json& object, const char* key, T fallback) {
     return value;
 }
 
-void hold_back_primitive(Json& primitive, HeldBack& held) {
+void hold_back_primitive(SortedJson& primitive, HeldBack& held) {
     keep_members(primitive, [](std::string_view key) { return among(kPrimitiveKeys, key); });
     // tinygltf drops a primitive without attributes, and refuses indices that are all sparse.
-    if (!primitive.contains("attributes")) primitive["attributes"] = Json::object();
+    if (!primitive.contains("attributes")) primitive["attributes"] = SortedJson::object();
     held.indices.push_back(taken(primitive, "indices", -1));
 }
 
-HeldBack hold_back(Json& json) {
+HeldBack hold_back(SortedJson& json) {
     HeldBack held;
-    for_each_item(json, "buffers", [&](Json& buffer) {
+    for_each_item(json, "buffers", [&](SortedJson& buffer) {
         held.buffer_uris.push_back(taken(buffer, "uri", std::string()));
         buffer["uri"] = "data:application/octet-stream;base64,AA==";
         buffer["byteLength"] = 1;
     });
-    for_each_item(json, "bufferViews", [&](Json& view) {
+    for_each_item(json, "bufferViews", [&](SortedJson& view) {
         held.strides.push_back(taken(view, "byteStride", std::size_t{0}));
     });
-    for_each_item(json, "images", [&](Json& image) {
+    for_each_item(json, "images", [&](SortedJson& image) {
         std::string uri = taken(image, "uri", std::string());
         held.images.push_back({std::move(uri), taken(image, "bufferView", -1)});
         image["uri"] = "-";
     });
-    for_each_item(json, "meshes", [&](Json& mesh) {
+    for_each_item(json, "meshes", [&](SortedJson& mesh) {
         for_each_item(mesh, "primitives",
-                      [&](Json& primitive) { hold_back_primitive(primitive, held); });
+                      [&](SortedJson& primitive) { hold_back_primitive(primitive, held); });
     });
     return held;
 }
 
-void set_missing_numbers(Json& object, std::initializer_list<const char*> keys, int value) {
+void set_missing_numbers(SortedJson& object, std::initializer_list<const char*> keys, int value) {
     for (const char* key : keys)
         if (!object.contains(key) || !object[key].is_number()) object[key] = value;
 }
 
 /// A camera or a light that lacks what tinygltf insists on gets it.
-void complete_views(Json& json) {
-    for_each_item(json, "cameras", [](Json& camera) {
+void complete_views(SortedJson& json) {
+    for_each_item(json, "cameras", [](SortedJson& camera) {
         if (camera.value("type", "") == "orthographic")
             return set_missing_numbers(camera["orthographic"], {"xmag", "ymag", "zfar", "znear"},
                                        1);
@@ -202,9 +202,10 @@ void complete_views(Json& json) {
         set_missing_numbers(camera["perspective"], {"yfov", "znear"}, 0);
     });
     if (!json.contains("extensions") || !json["extensions"].contains("KHR_lights_punctual")) return;
-    for_each_item(json["extensions"]["KHR_lights_punctual"], "lights", [](Json& light) {
+    for_each_item(json["extensions"]["KHR_lights_punctual"], "lights", [](SortedJson& light) {
         light.erase("extras");
-        if (light["type"] == "spot" && !light.contains("spot")) light["spot"] = Json::object();
+        if (light["type"] == "spot" && !light.contains("spot"))
+            light["spot"] = SortedJson::object();
     });
 }
 
@@ -232,7 +233,7 @@ bool put_back(HeldBack held, tinygltf::Model& model) {
     return indices == held.indices.end();
 }
 
-bool has_all_items(const Json& json, const tinygltf::Model& model) {
+bool has_all_items(const SortedJson& json, const tinygltf::Model& model) {
     const auto has = [&](const char* key, std::size_t count) {
         const auto items = json.find(key);
         return (items == json.end() ? 0 : items->size()) == count;
@@ -269,7 +270,7 @@ Status run_tinygltf(const std::string& text, tinygltf::Model& model) try {
 
 }  // namespace
 
-Result<tinygltf::Model> parse_gltf(Json json) {
+Result<tinygltf::Model> parse_gltf(SortedJson json) {
     if (const auto fits = check_model_bytes(json); !fits) return passed_on(fits);
     keep_known_members(json);
     settle_numbers(json, false);

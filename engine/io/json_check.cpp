@@ -7,40 +7,42 @@
 #include <utility>
 #include <vector>
 
+#include "core/json.h"
+
 namespace patina::io {
 namespace {
 
-using Json = nlohmann::json;
-
 // What a value costs in memory beside its text: itself with the slack of a growing array, and for
 // members the node of the map with the key's string.
-constexpr std::uint64_t kValueBytes = 2 * sizeof(Json);
-constexpr std::uint64_t kMemberBytes = sizeof(Json) + sizeof(std::string) + 64;
-constexpr std::uint64_t kContainerBytes = sizeof(Json::object_t) + 16;
+constexpr std::uint64_t kValueBytes = 2 * sizeof(SortedJson);
+constexpr std::uint64_t kMemberBytes = sizeof(SortedJson) + sizeof(std::string) + 64;
+constexpr std::uint64_t kContainerBytes = sizeof(SortedJson::object_t) + 16;
 
 /// Builds the value event by event; every event may stop the parser by returning false.
 class Builder {
   public:
     Builder(std::string_view text, const JsonLimits& limits) : text_(text), limits_(limits) {}
 
-    bool null() { return add(Json(nullptr)) != nullptr; }
-    bool boolean(bool value) { return add(Json(value)) != nullptr; }
-    bool number_integer(std::int64_t value) { return add(Json(value)) != nullptr; }
-    bool number_unsigned(std::uint64_t value) { return add(Json(value)) != nullptr; }
-    bool number_float(double value, const std::string&) { return add(Json(value)) != nullptr; }
-    bool string(std::string& value) {
-        return take(value.size()) && add(Json(std::move(value))) != nullptr;
+    bool null() { return add(SortedJson(nullptr)) != nullptr; }
+    bool boolean(bool value) { return add(SortedJson(value)) != nullptr; }
+    bool number_integer(std::int64_t value) { return add(SortedJson(value)) != nullptr; }
+    bool number_unsigned(std::uint64_t value) { return add(SortedJson(value)) != nullptr; }
+    bool number_float(double value, const std::string&) {
+        return add(SortedJson(value)) != nullptr;
     }
-    bool binary(Json::binary_t&) { return false; }  // never in text
+    bool string(std::string& value) {
+        return take(value.size()) && add(SortedJson(std::move(value))) != nullptr;
+    }
+    bool binary(SortedJson::binary_t&) { return false; }  // never in text
 
-    bool start_object(std::size_t) { return open(Json::object()); }
-    bool start_array(std::size_t) { return open(Json::array()); }
+    bool start_object(std::size_t) { return open(SortedJson::object()); }
+    bool start_array(std::size_t) { return open(SortedJson::array()); }
     bool end_object() { return close(); }
     bool end_array() { return close(); }
 
     bool key(std::string& name) {
         if (!take(kMemberBytes + name.size())) return false;
-        auto& members = *open_.back()->get_ptr<Json::object_t*>();
+        auto& members = *open_.back()->get_ptr<SortedJson::object_t*>();
         const auto [member, is_new] = members.try_emplace(name, nullptr);
         if (!is_new)
             return refuse(fmt::format("the key \"{}\" occurs twice in one object",
@@ -58,25 +60,25 @@ class Builder {
     }
 
     const std::string& fault() const { return fault_; }
-    Json take_root() { return std::move(root_); }
+    SortedJson take_root() { return std::move(root_); }
 
   private:
     /// Puts a value where it belongs; null when it would be beyond the limit.
-    Json* add(Json&& value) {
+    SortedJson* add(SortedJson&& value) {
         if (!take(kValueBytes)) return nullptr;
         if (open_.empty()) return &(root_ = std::move(value));
         if (open_.back()->is_array()) {
-            auto& elements = *open_.back()->get_ptr<Json::array_t*>();
+            auto& elements = *open_.back()->get_ptr<SortedJson::array_t*>();
             return &elements.emplace_back(std::move(value));
         }
         return &(*member_ = std::move(value));
     }
-    bool open(Json&& value) {
+    bool open(SortedJson&& value) {
         if (open_.size() >= static_cast<std::size_t>(limits_.depth))
             return refuse(fmt::format("nested deeper than {} levels", limits_.depth));
         if (!take(kContainerBytes)) return false;
         // Pointers to parents stay valid: an array does not grow while its last element is open.
-        Json* const added = add(std::move(value));
+        SortedJson* const added = add(std::move(value));
         if (added) open_.push_back(added);
         return added != nullptr;
     }
@@ -105,9 +107,9 @@ class Builder {
 
     std::string_view text_;
     JsonLimits limits_;
-    Json root_;
-    std::vector<Json*> open_;
-    Json* member_ = nullptr;
+    SortedJson root_;
+    std::vector<SortedJson*> open_;
+    SortedJson* member_ = nullptr;
     std::uint64_t taken_ = 0;
     std::string fault_;
 };
@@ -116,7 +118,8 @@ class Builder {
 
 Result<nlohmann::json> parse_json(std::string_view text, const JsonLimits& limits) {
     Builder builder(text, limits);
-    if (!Json::sax_parse(text.begin(), text.end(), &builder)) return failure("{}", builder.fault());
+    if (!SortedJson::sax_parse(text.begin(), text.end(), &builder))
+        return failure("{}", builder.fault());
     return builder.take_root();
 }
 

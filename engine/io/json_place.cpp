@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "core/json.h"
+
 namespace patina::io {
 namespace {
-
-using Json = nlohmann::json;
 
 /// RFC 6901, and fit for a message.
 std::string pointer_token(std::string_view key) {
@@ -27,7 +27,7 @@ std::string child_pointer(const std::string& parent, std::string_view key) {
 }
 
 /// The whole number that a JSON number is, if it is one that 2^53 holds.
-std::optional<std::int64_t> whole_number(const Json& value) {
+std::optional<std::int64_t> whole_number(const SortedJson& value) {
     constexpr std::int64_t kLargest = std::int64_t{1} << 53;
     if (value.is_number_unsigned()) {
         const auto number = value.get<std::uint64_t>();
@@ -44,7 +44,7 @@ std::optional<std::int64_t> whole_number(const Json& value) {
 
 }  // namespace
 
-JsonPlace::JsonPlace(const Json& value, std::string pointer, FirstFault& fault)
+JsonPlace::JsonPlace(const SortedJson& value, std::string pointer, FirstFault& fault)
     : value_(&value), pointer_(std::move(pointer)), fault_(&fault) {
     if (!value_->is_object()) this->fault({}, "must be an object");
 }
@@ -54,28 +54,28 @@ void JsonPlace::fault(std::string_view key, std::string_view what) const {
     fault_->report(fmt::format("{}: {}", place.empty() ? "/" : place, what));
 }
 
-const Json* JsonPlace::find(std::string_view key) const {
+const SortedJson* JsonPlace::find(std::string_view key) const {
     if (!value_->is_object()) return nullptr;
     const auto member = value_->find(key);
     return member == value_->end() ? nullptr : &*member;
 }
 
-const Json* JsonPlace::find_array(std::string_view key) const {
-    const Json* const member = find(key);
+const SortedJson* JsonPlace::find_array(std::string_view key) const {
+    const SortedJson* const member = find(key);
     if (!member || member->is_array()) return member;
     fault(key, "must be an array");
     return nullptr;
 }
 
 JsonPlace JsonPlace::object(std::string_view key) const {
-    static const Json empty = Json::object();
-    const Json* const member = find(key);
+    static const SortedJson empty = SortedJson::object();
+    const SortedJson* const member = find(key);
     return JsonPlace(member ? *member : empty, child_pointer(pointer_, key), *fault_);
 }
 
 std::vector<JsonPlace> JsonPlace::objects(std::string_view key) const {
     std::vector<JsonPlace> places;
-    const Json* const array = find_array(key);
+    const SortedJson* const array = find_array(key);
     if (!array) return places;
     places.reserve(array->size());
     const std::string base = child_pointer(pointer_, key);
@@ -85,19 +85,19 @@ std::vector<JsonPlace> JsonPlace::objects(std::string_view key) const {
 }
 
 std::size_t JsonPlace::array_size(std::string_view key) const {
-    const Json* const array = find_array(key);
+    const SortedJson* const array = find_array(key);
     return array ? array->size() : 0;
 }
 
 bool JsonPlace::boolean(std::string_view key, bool fallback) const {
-    const Json* const member = find(key);
+    const SortedJson* const member = find(key);
     if (!member) return fallback;
     if (member->is_boolean()) return member->get<bool>();
     fault(key, "must be true or false");
     return fallback;
 }
 
-float JsonPlace::checked_float(const Json& value, std::string_view key) const {
+float JsonPlace::checked_float(const SortedJson& value, std::string_view key) const {
     if (!value.is_number()) {
         fault(key, "must be a number");
         return 0.0f;
@@ -109,7 +109,7 @@ float JsonPlace::checked_float(const Json& value, std::string_view key) const {
 }
 
 float JsonPlace::number(std::string_view key, float fallback, Range<float> range) const {
-    const Json* const member = find(key);
+    const SortedJson* const member = find(key);
     if (!member) return fallback;
     const float value = checked_float(*member, key);
     if (value >= range.low && value <= range.high) return value;
@@ -119,7 +119,7 @@ float JsonPlace::number(std::string_view key, float fallback, Range<float> range
 
 std::int64_t JsonPlace::integer(std::string_view key, std::int64_t fallback,
                                 Range<std::int64_t> range) const {
-    const Json* const member = find(key);
+    const SortedJson* const member = find(key);
     if (!member) return fallback;
     const auto value = whole_number(*member);
     if (value && *value >= range.low && *value <= range.high) return *value;
@@ -131,7 +131,7 @@ std::int64_t JsonPlace::integer(std::string_view key, std::int64_t fallback,
 }
 
 std::string JsonPlace::text(std::string_view key) const {
-    const Json* const member = find(key);
+    const SortedJson* const member = find(key);
     if (!member) return {};
     if (member->is_string()) return member->get<std::string>();
     fault(key, "must be a string");
@@ -139,7 +139,7 @@ std::string JsonPlace::text(std::string_view key) const {
 }
 
 std::optional<std::string> JsonPlace::record_text() const {
-    const Json* const extras = find("extras");
+    const SortedJson* const extras = find("extras");
     if (!extras || !extras->is_object()) return std::nullopt;
     const auto record = extras->find("patina");
     if (record == extras->end() || !record->is_string()) return std::nullopt;
@@ -148,9 +148,9 @@ std::optional<std::string> JsonPlace::record_text() const {
 
 std::vector<std::string> JsonPlace::texts(std::string_view key) const {
     std::vector<std::string> values;
-    const Json* const array = find_array(key);
+    const SortedJson* const array = find_array(key);
     if (!array) return values;
-    for (const Json& element : *array) {
+    for (const SortedJson& element : *array) {
         if (element.is_string())
             values.push_back(element.get<std::string>());
         else
@@ -159,7 +159,8 @@ std::vector<std::string> JsonPlace::texts(std::string_view key) const {
     return values;
 }
 
-int JsonPlace::checked_index(const Json& value, std::string_view key, std::size_t count) const {
+int JsonPlace::checked_index(const SortedJson& value, std::string_view key,
+                             std::size_t count) const {
     const auto index = whole_number(value);
     if (index && *index >= 0 && static_cast<std::size_t>(*index) < count)
         return static_cast<int>(*index);
@@ -171,7 +172,7 @@ int JsonPlace::checked_index(const Json& value, std::string_view key, std::size_
 }
 
 int JsonPlace::index(std::string_view key, std::size_t count) const {
-    const Json* const member = find(key);
+    const SortedJson* const member = find(key);
     return member ? checked_index(*member, key, count) : -1;
 }
 
@@ -182,7 +183,7 @@ int JsonPlace::required_index(std::string_view key, std::size_t count) const {
 
 std::vector<int> JsonPlace::indices(std::string_view key, std::size_t count) const {
     std::vector<int> values;
-    const Json* const array = find_array(key);
+    const SortedJson* const array = find_array(key);
     if (!array) return values;
     values.reserve(array->size());
     for (std::size_t i = 0; i < array->size(); ++i) {
@@ -204,7 +205,7 @@ std::vector<std::pair<std::string, int>> JsonPlace::index_members(std::size_t co
 }
 
 void JsonPlace::numbers(std::string_view key, std::span<float> numbers) const {
-    const Json* const array = find_array(key);
+    const SortedJson* const array = find_array(key);
     if (!array) return;
     if (array->size() != numbers.size())
         return fault(key,

@@ -62,7 +62,7 @@ class Scanner {
         return false;
     }
 
-    int add_node(ByteSpan key, JsonKind kind) {
+    int add_node(TextSpan key, JsonKind kind) {
         const int index = static_cast<int>(nodes_.size());
         JsonNode node;
         node.key = key;
@@ -81,7 +81,7 @@ class Scanner {
     }
     static std::size_t as_index(int node) { return static_cast<std::size_t>(node); }
 
-    Status read_value(ByteSpan key) {
+    Status read_value(TextSpan key) {
         skip_space();
         if (at_ >= text_.size()) return fault("the text ends where a value is expected");
         switch (text_[at_]) {
@@ -100,7 +100,7 @@ class Scanner {
         }
     }
 
-    Status read_word(ByteSpan key) {
+    Status read_word(TextSpan key) {
         const char first = text_[at_];
         const bool number = first == '-' || (first >= '0' && first <= '9');
         const int node = add_node(key, number ? JsonKind::Number : JsonKind::Literal);
@@ -110,7 +110,7 @@ class Scanner {
         return {};
     }
 
-    Status open(ByteSpan key, JsonKind kind) {
+    Status open(TextSpan key, JsonKind kind) {
         if (containers_.size() >= kMaxDepth) return fault("more than 64 levels deep");
         const int node = add_node(key, kind);
         containers_.push_back({.node = node});
@@ -143,7 +143,7 @@ class Scanner {
     Status read_member() {
         skip_space();
         if (!at('"')) return fault("a member's name is missing");
-        ByteSpan key = {.begin = position()};
+        TextSpan key = {.begin = position()};
         if (!skip_string()) return fault("a string has no end");
         key.end = position();
         skip_space();

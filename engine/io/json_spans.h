@@ -15,18 +15,18 @@
 namespace patina::io {
 
 /// Bytes [begin, end) of the text.
-struct ByteSpan {
+struct TextSpan {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
-    bool operator==(const ByteSpan&) const = default;
+    bool operator==(const TextSpan&) const = default;
 };
 
 enum class JsonKind : std::uint8_t { Object, Array, String, Number, Literal };
 
 /// A value of the text. Nodes are known by their index in JsonSpans::nodes(); -1 is none.
 struct JsonNode {
-    ByteSpan key;    ///< of an object's member, with its quotes; empty otherwise
-    ByteSpan value;  ///< without space around it
+    TextSpan key;    ///< of an object's member, with its quotes; empty otherwise
+    TextSpan value;  ///< without space around it
     int parent = -1;
     int first_child = -1;
     int next_sibling = -1;
@@ -48,7 +48,7 @@ class JsonSpans {
     const std::vector<JsonNode>& nodes() const { return nodes_; }
     const JsonNode& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
 
-    std::string_view text_of(ByteSpan span) const {
+    std::string_view text_of(TextSpan span) const {
         return std::string_view(text_).substr(span.begin, span.end - span.begin);
     }
     std::string_view value_text(int index) const { return text_of(node(index).value); }

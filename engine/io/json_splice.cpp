@@ -208,7 +208,7 @@ class Splicer {
         if (kind == JsonKind::Object && wanted.is_object()) return make_object(node, wanted);
         if (kind == JsonKind::Array && wanted.is_array()) return make_array(node, wanted);
         const bool container = kind == JsonKind::Object || kind == JsonKind::Array;
-        const ByteSpan span = spans_.node(node).value;
+        const TextSpan span = spans_.node(node).value;
         if (!container && Json::parse(spans_.text_of(span), nullptr, false) == wanted) return;
         const int parent = spans_.node(node).parent;
         const Layout around = parent < 0 ? Layout{} : style_.layout_of(parent);
@@ -269,7 +269,7 @@ class Splicer {
     /// Puts `added` in the place of all children.
     void refill(int container, const std::vector<int>& children, const Layout& layout,
                 const std::string& added) {
-        const ByteSpan span = spans_.node(container).value;
+        const TextSpan span = spans_.node(container).value;
         if (added.empty()) {
             edits_.push_back({span.begin + 1, span.end - 1, ""});
         } else if (children.empty()) {

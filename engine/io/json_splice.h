@@ -9,12 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "core/json.h"
 #include "core/result.h"
 #include "io/json_spans.h"
 
 namespace patina::io {
-
-using Json = nlohmann::ordered_json;
 
 /// What the value at a place is to be. Only what differs from the present value is touched: deeper
 /// members and elements that are equal keep their bytes, and so does everything around them.

@@ -67,7 +67,7 @@ void state_transform(Json& info, const UvTransform& transform) {
     state(json, "scale", json_numbers(transform.scale), json_numbers(glm::vec2(1.0f)));
 }
 
-void state_texture(Json& parent, const char* key, const std::optional<TextureUse>& texture) {
+void state_texture(Json& parent, const char* key, const std::optional<StatedTexture>& texture) {
     if (!texture) {
         parent.erase(key);
         return;

@@ -13,8 +13,8 @@
 
 namespace patina::io {
 
-/// A texture info.
-struct TextureUse {
+/// A texture info, as a slot is to say it.
+struct StatedTexture {
     int texture = 0;
     int uv_set = 0;
     UvTransform transform;
@@ -22,7 +22,7 @@ struct TextureUse {
 
 /// What a slot says.
 struct SlotStatement {
-    std::optional<TextureUse> texture;
+    std::optional<StatedTexture> texture;
     /// BaseColor: linear RGB and alpha; MetallicRoughness: y roughness, z metalness; Normal: x
     /// scale; Occlusion: x strength; Emissive: linear RGB. Times the texture, where there is one.
     glm::vec4 factor = glm::vec4(1.0f);

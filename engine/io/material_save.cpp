@@ -213,9 +213,9 @@ class MaterialWriter {
             const int sampler = save_.images.sampler(source.wrap_u, source.wrap_v, source.filter,
                                                      save_.images.sampler_of(current));
             state_slot(json_, slot,
-                       {.texture = TextureUse{.texture = save_.images.texture(index, sampler),
-                                              .uv_set = source.uv_set,
-                                              .transform = source.transform},
+                       {.texture = StatedTexture{.texture = save_.images.texture(index, sampler),
+                                                 .uv_set = source.uv_set,
+                                                 .transform = source.transform},
                         .factor = factor_of(*image, slot)});
             return {};
         }
@@ -226,10 +226,10 @@ class MaterialWriter {
             save_.images.add_image(fmt::format("{} {}", now_.name, kBakedMapIds[as_index(map)]),
                                    "image/png", maps_[as_index(map)]->png);
         state_slot(json_, slot,
-                   {.texture = TextureUse{.texture = save_.images.texture(
-                                              index, save_.images.sampler_of(like)),
-                                          .uv_set = now_.uv_set,
-                                          .transform = {}},
+                   {.texture = StatedTexture{.texture = save_.images.texture(
+                                                 index, save_.images.sampler_of(like)),
+                                             .uv_set = now_.uv_set,
+                                             .transform = {}},
                     .factor = glm::vec4(1.0f)});
         return {};
     }

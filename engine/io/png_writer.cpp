@@ -37,9 +37,9 @@ void put_u32(unsigned char* at, std::uint32_t value) {
 }
 
 /// A chunk being filled: room for its head, then data, then its CRC once it is closed.
-class Chunk {
+class PngChunk {
   public:
-    explicit Chunk(std::string_view type) : bytes_(kChunkHead) {
+    explicit PngChunk(std::string_view type) : bytes_(kChunkHead) {
         std::memcpy(bytes_.data() + 4, type.data(), 4);
     }
     void append(std::span<const unsigned char> data) {
@@ -141,7 +141,7 @@ struct StripWorker {
 };
 
 /// Deflates onto the end of `chunk`; ended by a full flush unless it is the last strip.
-bool deflate_strip(StripWorker& worker, int level, bool last, Chunk& chunk) {
+bool deflate_strip(StripWorker& worker, int level, bool last, PngChunk& chunk) {
     worker.level_buffer.resize(level_buffer_bytes(level));
     isal_zstream& stream = worker.stream;
     isal_deflate_init(&stream);
@@ -174,7 +174,7 @@ std::uint32_t combined_adler32(std::uint32_t first, std::uint32_t second, std::s
 }
 
 struct Strip {
-    Chunk chunk{"IDAT"};
+    PngChunk chunk{"IDAT"};
     std::uint32_t adler = 1;
     std::size_t filtered_bytes = 0;
     bool done = false;
@@ -206,14 +206,14 @@ std::vector<Strip> compressed_strips(const Image& image, const Layout& layout, i
     return strips;
 }
 
-Chunk header_chunk(const Image& image, const Layout& layout) {
+PngChunk header_chunk(const Image& image, const Layout& layout) {
     constexpr std::array<unsigned char, 5> kColorType = {0, 0, 4, 2, 6};
     std::array<unsigned char, 13> data = {};
     put_u32(data.data(), static_cast<std::uint32_t>(image.width));
     put_u32(data.data() + 4, static_cast<std::uint32_t>(image.height));
     data[8] = static_cast<unsigned char>(8 * layout.sample);
     data[9] = kColorType[static_cast<std::size_t>(layout.channels)];
-    Chunk chunk("IHDR");
+    PngChunk chunk("IHDR");
     chunk.append(data);
     chunk.close();
     return chunk;
@@ -229,8 +229,8 @@ void close_last_strip(std::vector<Strip>& strips) {
     strips.back().chunk.close();
 }
 
-Bytes joined(const Chunk& header, const std::vector<Strip>& strips) {
-    Chunk end("IEND");
+Bytes joined(const PngChunk& header, const std::vector<Strip>& strips) {
+    PngChunk end("IEND");
     end.close();
     std::size_t total = kSignature.size() + header.bytes().size() + end.bytes().size();
     for (const Strip& strip : strips) total += strip.chunk.bytes().size();

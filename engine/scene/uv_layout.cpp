@@ -22,7 +22,7 @@ std::size_t for_each_triangle(const UvSurface& surface, const Visit& visit) {
 }
 
 /// Texels looked at, about a second's worth.
-constexpr std::uint64_t kMostWork = std::uint64_t{1} << 28;
+constexpr std::uint64_t kMostTexelsSeen = std::uint64_t{1} << 28;
 
 void count(std::size_t index, UvCoverage& coverage, int times) {
     std::uint8_t& counted = coverage.counts[index];
@@ -58,7 +58,7 @@ UvLayout uv_layout(const UvSurface& surface, int size) {
     std::uint64_t work = 0;
     layout.without_uvs = for_each_triangle(surface, [&](const UvCorners& corners) {
         ++layout.triangles;
-        work = std::min(work + texels_looked_at(corners, size), kMostWork + 1);
+        work = std::min(work + texels_looked_at(corners, size), kMostTexelsSeen + 1);
         for (const glm::vec2& uv : corners) {
             layout.low = glm::min(layout.low, uv);
             layout.high = glm::max(layout.high, uv);
@@ -66,7 +66,7 @@ UvLayout uv_layout(const UvSurface& surface, int size) {
     });
     if (layout.triangles == 0) layout.low = layout.high = glm::vec2(0.0f);
     layout.triangles += layout.without_uvs;
-    layout.measured = work <= kMostWork;
+    layout.measured = work <= kMostTexelsSeen;
     if (!layout.measured) return layout;
     const UvCoverage coverage = uv_coverage(surface, size);
     std::size_t used = 0, shared = 0;

@@ -294,17 +294,20 @@ void Editor::point_at(int x, int y) const {
 
 bool Editor::point_at_control(const std::string& place, const std::string& label,
                               const std::string& kind) const {
-    std::optional<Control> control;
-    // A menu grows to its widest row in its first frames: take the place where it stays.
-    const bool there = wait_for(place + " / " + label + " (" + kind + ")", [&] {
-        const std::optional<Control> before = find(place, label, kind);
-        if (!before || !before->enabled) return false;
+    // A menu grows to its widest row in its first frames, and what is typed moves the rows of a
+    // list: it is pointed at only when the program, having seen the pointer there, still draws it
+    // there.
+    return wait_for(place + " / " + label + " (" + kind + ")", [&] {
+        const std::optional<Control> control = find(place, label, kind);
+        if (!control || !control->enabled) return false;
+        const int x = control->x + control->width / 2;
+        const int y = control->y + control->height / 2;
+        if (x != pointer_x_ || y != pointer_y_) point_at(x, y);
         pause_briefly();
-        control = find(place, label, kind);
-        return control && control->x == before->x && control->y == before->y;
+        const std::optional<Control> seen = find(place, label, kind);
+        return fact("pointer") == std::to_string(x) + " " + std::to_string(y) && seen &&
+               seen->x == control->x && seen->y == control->y;
     });
-    if (there) point_at(control->x + control->width / 2, control->y + control->height / 2);
-    return there;
 }
 
 bool Editor::open_menu(const std::string& place, const std::string& label,

@@ -18,10 +18,6 @@
 namespace patina::editor {
 namespace {
 
-Rect padded_line(const Ui& ui, Rect& rest) {
-    return next_line(ui, rest).inset(ui.px(12), 0);
-}
-
 bool unfold(Ui& ui, Rect& rest, std::string_view title, std::string_view count, bool& open) {
     const Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
     hairline(ui, head);

@@ -15,10 +15,6 @@ constexpr float kFirstExponent = 32.0f;
 constexpr glm::vec3 kFirstSpecular = glm::vec3(0.5f);
 constexpr glm::vec3 kFirstAmbient = glm::vec3(0.05f);
 
-Rect padded_line(const Ui& ui, Rect& rest) {
-    return next_line(ui, rest).inset(ui.px(12), 0);
-}
-
 /// A tick box with the name of an override; what is right of it stays in `line_box`.
 template <typename Value>
 void override_box(Ui& ui, Rect& line_box, std::string_view label, std::string_view tooltip,

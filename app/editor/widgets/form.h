@@ -18,6 +18,11 @@ inline Rect next_line(const Ui& ui, Rect& rest) {
     return line_box;
 }
 
+/// The same, with the panel's margin left free at both sides.
+inline Rect padded_line(const Ui& ui, Rect& rest) {
+    return next_line(ui, rest).inset(ui.px(12), 0);
+}
+
 /// N fields of equal width in one line.
 template <std::size_t N>
 std::array<Rect, N> side_by_side(const Ui& ui, Rect rect) {
