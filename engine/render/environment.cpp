@@ -22,7 +22,7 @@ namespace {
 /// What the two qualities cost.
 struct FilterSettings {
     int largest_face;
-    unsigned samples;  ///< a texel of the rougher levels
+    unsigned samples;  ///< a texel of level 1; twice as many with each level that follows
     int diffuse_face;
     int diffuse_map_width;  ///< the map is halved to this before it is convolved with a cosine
 };
@@ -112,8 +112,7 @@ struct LobeSample {
 };
 
 /// Filtered importance sampling. J. Krivanek and M. Colbert, "Real-time shading with filtered
-/// importance sampling", 2008: each sample reads a level as coarse as the sample is rare, and one
-/// more, so that neighbours overlap.
+/// importance sampling", 2008: each sample reads a level as coarse as the sample is rare.
 std::vector<LobeSample> filtered_lobe(float roughness, unsigned count, int face_size,
                                       std::size_t levels) {
     const float texel_angle =
@@ -121,7 +120,7 @@ std::vector<LobeSample> filtered_lobe(float roughness, unsigned count, int face_
         (6.0f * static_cast<float>(face_size) * static_cast<float>(face_size));
     std::vector<LobeSample> samples;
     for (const LobeDirection& each : prefiltered_lobe(roughness, count)) {
-        const float level = 0.5f * std::log2(each.solid_angle / texel_angle) + 1.0f;
+        const float level = 0.5f * std::log2(each.solid_angle / texel_angle);
         samples.push_back({each.direction, each.weight,
                            static_cast<std::size_t>(
                                std::clamp(level + 0.5f, 0.0f, static_cast<float>(levels - 1)))});
@@ -149,7 +148,7 @@ HalfCube filter_specular(CubeLevel sharp, const RadianceCube& source,
         const float roughness =
             prefiltered_roughness(static_cast<float>(i) / (kPrefilteredLevels - 1));
         const std::vector<LobeSample> lobe =
-            filtered_lobe(roughness, settings.samples, source[0].side, source.size());
+            filtered_lobe(roughness, settings.samples << (i - 1), source[0].side, source.size());
         cube.levels.push_back(
             packed_level(source[0].side >> i, progress, [&](const glm::vec3& normal) {
                 const glm::mat3 world_from_lobe = frame_about(normal);

@@ -14,21 +14,56 @@ namespace {
 
 constexpr unsigned kSamples = 512;
 
-/// How wide each level of the cube is: 1 - the length of its lobe's mean direction.
+/// Point i of `count`, spread over the unit square and off its edges, where lobes never end.
+formulae::Real2 lobe_point(unsigned i, unsigned count) {
+    formulae::Real2 u = formulae::hammersley(i, count);
+    u.y = u.y * (1.0f - 1.0f / static_cast<float>(count)) + 0.5f / static_cast<float>(count);
+    return u;
+}
+
+/// Sums over the directions of a lobe in which x-z is the plane of the view. What is seen of one is
+/// its core: the long tail of GGX, which would decide about plain moments, counts less when each
+/// direction is weighted by the root of the lobe's own value there too.
+class LobeMoments {
+  public:
+    /// @param weight  of the direction; all of a lobe add up to anything
+    /// @param value   of the lobe in that direction, a steradian
+    void add(const glm::dvec3& direction, double weight, double value) {
+        const double counted = weight * std::sqrt(value);
+        first_ += counted * direction;
+        second_ += counted * glm::outerProduct(direction, direction);
+        total_ += counted;
+    }
+    glm::dvec3 axis() const { return glm::normalize(first_); }
+    /// The mean square of the distance from the axis in the plane of the view, along which a lobe
+    /// is longest.
+    double width() const {
+        const glm::dvec3 off(axis().z, 0.0, -axis().x);
+        return glm::dot(off, second_ * off) / total_;
+    }
+
+  private:
+    glm::dvec3 first_{0.0};
+    glm::dmat3 second_{0.0};
+    double total_ = 0.0;
+};
+
+/// How wide each level of the cube is.
 using LevelWidths = std::array<double, kPrefilteredLevels>;
 
 LevelWidths level_widths() {
     LevelWidths widths = {};
     for (std::size_t i = 1; i < widths.size(); ++i) {
         const float share = static_cast<float>(i) / (kPrefilteredLevels - 1);
-        widths[i] = 1.0;
+        LobeMoments lobe;
         for (const LobeDirection& each : prefiltered_lobe(prefiltered_roughness(share), kSamples))
-            widths[i] -= double{each.weight} * each.direction.z;
+            lobe.add(each.direction, each.weight, each.weight / each.solid_angle);
+        widths[i] = lobe.width();
     }
     return widths;
 }
 
-/// Between two levels the cube gives their mix, whose mean direction is the mix of theirs.
+/// Between two levels the cube gives their mix, which is as wide as the mix of their widths.
 double level_share_for(double width, const LevelWidths& widths) {
     for (std::size_t i = 1; i < widths.size(); ++i)
         if (width < widths[i])
@@ -50,23 +85,28 @@ formulae::BrdfTerms shared_terms(const PbrTerms& terms) {
 EnvironmentBrdf table_entry(const formulae::BrdfTerms& terms, float n_dot_v, float roughness,
                             const LevelWidths& widths) {
     const float alpha = formulae::alpha_from_roughness(roughness);
+    const double sine = std::sqrt(std::max(1.0 - double{n_dot_v} * n_dot_v, 1e-8));
+    const glm::dvec3 to_eye(sine, 0.0, n_dot_v);
     double scale = 0.0;
     double bias = 0.0;
-    glm::dvec2 mean(0.0);  // away from the eye, and along n; across is 0 by symmetry
+    LobeMoments lobe;
     for (unsigned i = 0; i < kSamples; ++i) {
         const formulae::SplitSumSample sample =
-            formulae::split_sum_sample(terms, formulae::hammersley(i, kSamples), n_dot_v, alpha);
+            formulae::split_sum_sample(terms, lobe_point(i, kSamples), n_dot_v, alpha);
+        const double weight = double{sample.scale} + sample.bias;
+        if (weight <= 0.0) continue;
         scale += sample.scale;
         bias += sample.bias;
-        mean += (double{sample.scale} + sample.bias) * glm::dvec2(-sample.light.x, sample.light.z);
+        const glm::dvec3 light(sample.light.x, sample.light.y, sample.light.z);
+        const glm::dvec3 h = glm::normalize(light + to_eye);
+        const double density = formulae::distribution_ggx(static_cast<float>(h.z), alpha) * h.z /
+                               (4.0 * std::max(glm::dot(h, to_eye), 1e-4));
+        lobe.add(light, weight, weight * density);
     }
-    const double length = glm::length(mean);
-    const double sine = std::sqrt(std::max(1.0 - double{n_dot_v} * n_dot_v, 1e-8));
-    return {
-        .scale = static_cast<float>(scale / kSamples),
-        .bias = static_cast<float>(bias / kSamples),
-        .tangent_scale = static_cast<float>(mean.x / (length * sine)),
-        .level_share = static_cast<float>(level_share_for(1.0 - length / (scale + bias), widths))};
+    return {.scale = static_cast<float>(scale / kSamples),
+            .bias = static_cast<float>(bias / kSamples),
+            .tangent_scale = static_cast<float>(-lobe.axis().x / sine),
+            .level_share = static_cast<float>(level_share_for(lobe.width(), widths))};
 }
 
 EnvironmentDiffuse diffuse_entry(const formulae::BrdfTerms& terms, float n_dot_v, float roughness) {
@@ -103,9 +143,7 @@ std::vector<LobeDirection> prefiltered_lobe(float roughness, unsigned count) {
     std::vector<LobeDirection> lobe;
     float total = 0.0f;
     for (unsigned i = 0; i < count; ++i) {
-        formulae::Real2 u = formulae::hammersley(i, count);
-        u.y = u.y * (1.0f - 1.0f / static_cast<float>(count)) + 0.5f / static_cast<float>(count);
-        const formulae::Real3 h = formulae::sample_ggx_half_vector(u, alpha);
+        const formulae::Real3 h = formulae::sample_ggx_half_vector(lobe_point(i, count), alpha);
         const glm::vec3 l(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
         if (l.z <= 0.0f) continue;
         const float density = 0.25f * formulae::distribution_ggx(h.z, alpha);

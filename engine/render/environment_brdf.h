@@ -4,7 +4,7 @@
 /// How a surface mirrors a prefiltered environment: which part of the light, and where the filtered
 /// cube is read. The cube is filtered for an eye that looks along the normal and along what it sees
 /// mirrored; the lobe of another view is skewed towards the normal and cut off by the surface. It
-/// is read where the mean direction of the real lobe is, at the level that is as wide.
+/// is read where the core of the real lobe lies, at the level whose core is as wide.
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -30,7 +30,7 @@ std::vector<LobeDirection> prefiltered_lobe(float roughness, unsigned count);
 struct EnvironmentBrdf {
     float scale;  ///< the directional albedo is F0 * scale + bias
     float bias;
-    /// The lobe's mean direction lies in the plane of n and the mirrored eye ray r; its tangential
+    /// The core's mean direction lies in the plane of n and the mirrored eye ray r; its tangential
     /// part is this times that of r.
     float tangent_scale;
     float level_share;  ///< where the cube is as wide: 0 its first level, 1 the last

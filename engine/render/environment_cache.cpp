@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be raised with every change of what filter_environment makes or of how it is laid out here.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 constexpr std::string_view kEnding = ".environment";
 constexpr std::uint64_t kLargestFileBytes = std::uint64_t{64} << 20;
