@@ -180,6 +180,21 @@ gl::PassDescription full_screen_pass(std::string label, const PictureTarget& tar
             .state = full_screen_state(target)};
 }
 
+/// The program of a pass that shows light of the environment, and the tables of its terms.
+struct LitProgram {
+    gl::Program& program;
+    const EnvironmentTables& tables;
+};
+
+Result<LitProgram> lit_program(RendererState& state, const SideView& side,
+                               const ShaderVariant& variant) {
+    const Result<gl::Program*> program = state.shaders.program(variant);
+    if (!program) return passed_on(program);
+    const auto tables = environment_tables(state, side.shading.terms);
+    if (!tables) return passed_on(tables);
+    return LitProgram{**program, **tables};
+}
+
 /// Pixels around a surface that an edge of it is smoothed over.
 constexpr int kSmoothingReach = 4;
 
@@ -199,19 +214,17 @@ bool background_is_empty(const View& view, const PictureTarget& target) {
 Status draw_lighting(RendererState& state, const SideView& side, const FrameCamera& camera,
                      const LightingInputs& inputs, const PictureTarget& target,
                      const gl::PassDescription& description, glm::ivec2 only_pixel) {
-    const Result<gl::Program*> found =
-        state.shaders.program(lighting_variant(state, side, inputs, target));
+    const Result<LitProgram> found =
+        lit_program(state, side, lighting_variant(state, side, inputs, target));
     if (!found) return passed_on(found);
-    const auto tables = environment_tables(state, side.shading.terms);
-    if (!tables) return passed_on(tables);
-    gl::Program& program = **found;
+    const auto& [program, tables] = *found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Lighting");
     gl::Pass pass(description);
     set_camera(program, camera, target);
     set_output(program, side.view);
     set_channel_range(program, state, side.view, camera);
     program.set("gbuffer_pixel_override", only_pixel);
-    bind_light(pass, program, state, {side, target, **tables});
+    bind_light(pass, program, state, {side, target, tables});
     bind_inputs(pass, program, inputs);
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
@@ -225,18 +238,16 @@ Status draw_background(RendererState& state, const SideView& side, const FrameCa
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, state, side.view);
     variant.constants.push_back(shader_constant("CHANNEL_BACKGROUND", of_channel));
-    const Result<gl::Program*> found = state.shaders.program(variant);
+    const Result<LitProgram> found = lit_program(state, side, variant);
     if (!found) return passed_on(found);
-    const auto tables = environment_tables(state, side.shading.terms);
-    if (!tables) return passed_on(tables);
-    gl::Program& program = **found;
+    const auto& [program, tables] = *found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Background");
     gl::PassDescription description = full_screen_pass("background", target);
     description.state.depth_test = gl::DepthTest::LessOrEqual;
     gl::Pass pass(description);
     set_camera(program, camera, target);
     set_output(program, side.view);
-    set_background(pass, program, state, {side.view, **tables, target.draw_index});
+    set_background(pass, program, state, {side.view, tables, target.draw_index});
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
 }
@@ -268,11 +279,9 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     ShaderVariant variant{kSurfaceVertexFile, "passes/forward.frag", {}};
     add_shading_constants(variant.constants, state, side, target);
     variant.constants.push_back(shader_constant("FILTER_NORMALS", filters_normals(side.view)));
-    const Result<gl::Program*> found = state.shaders.program(variant);
+    const Result<LitProgram> found = lit_program(state, side, variant);
     if (!found) return passed_on(found);
-    const auto tables = environment_tables(state, side.shading.terms);
-    if (!tables) return passed_on(tables);
-    gl::Program& program = **found;
+    const auto& [program, tables] = *found;
     const bool blended = surfaces == SurfaceSet::Blended;
     const gl::State base =
         blended ? gl::State{.write_depth = false, .blend = gl::Blend::Premultiplied} : gl::State{};
@@ -291,7 +300,7 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     set_camera(program, camera, target);
     program.set("clip_from_world", camera.clip_from_world);
     program.set("level_bias", camera.level_bias);
-    bind_light(pass, program, state, {side, target, **tables});
+    bind_light(pass, program, state, {side, target, tables});
     const auto order = blended ? back_to_front : front_to_back;
     draw_surfaces(state, pass, program, base, order(state.scene->items, side.view.camera),
                   surfaces);
@@ -303,18 +312,15 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     ShaderVariant variant{kFullScreenVertexFile, "passes/post.frag", {}};
     add_output_constants(variant.constants, side.view, target.output);
     add_background_constants(variant.constants, state, side.view);
-    const Result<gl::Program*> found = state.shaders.program(variant);
+    const Result<LitProgram> found = lit_program(state, side, variant);
     if (!found) return passed_on(found);
-    const auto tables = environment_tables(state, side.shading.terms);
-    if (!tables) return passed_on(tables);
-    gl::Program& program = **found;
+    const auto& [program, tables] = *found;
     const PassTimers::Scope timed = state.timers.measure(side.side, "Post");
     gl::Pass pass(full_screen_pass("post", target));
     set_camera(program, camera, target);
     set_output(program, side.view);
-    set_background(
-        pass, program, state,
-        {side.view, **tables, target.draw_index, floor_draws_for(target, radiance.draws)});
+    set_background(pass, program, state,
+                   {side.view, tables, target.draw_index, floor_draws_for(target, radiance.draws)});
     program.set("radiance_offset", radiance.picture_offset);
     program.set("radiance_share", 1.0f / static_cast<float>(radiance.draws));
     pass.bind_texture(program, "radiance", 0, radiance.sum->color(0));
