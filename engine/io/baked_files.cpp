@@ -1,53 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "io/baked_files.h"
 
-#include <bit>
-#include <cstring>
-
 #include "composite/dilate.h"
 #include "core/formulae/formulae.h"
-#include "core/parallel.h"
+#include "io/last_channel.h"
 #include "io/png_writer.h"
 
 namespace patina::io {
 namespace {
 
-bool alpha_is_opaque(const Image& rgba) {
-    for (std::size_t i = 3; i < rgba.data.size(); i += 4)
-        if (rgba.data[i] != std::byte{0xff}) return false;
-    return true;
-}
-
-/// RGB8 of RGBA8, four texels at a time in three words.
-void copy_without_alpha(const std::byte* rgba, std::byte* rgb, std::int64_t texels) {
-    static_assert(std::endian::native == std::endian::little);
-    std::int64_t i = 0;
-    for (; i + 4 <= texels; i += 4) {
-        std::array<std::uint32_t, 4> in = {};
-        std::memcpy(in.data(), rgba + i * 4, sizeof in);
-        const std::array<std::uint32_t, 3> out = {(in[0] & 0xffffffu) | in[1] << 24,
-                                                  (in[1] >> 8 & 0xffffu) | in[2] << 16,
-                                                  (in[2] >> 16 & 0xffu) | in[3] << 8};
-        std::memcpy(rgb + i * 3, out.data(), sizeof out);
-    }
-    for (; i < texels; ++i) std::memcpy(rgb + i * 3, rgba + i * 4, 3);
-}
-
 /// The same RGBA8 map as RGB8 where its alpha says nothing.
 ImagePtr without_opaque_alpha(const ImagePtr& map) {
     const bool rgba8 = map->channels == 4 && map->type == SampleType::U8;
-    if (!rgba8 || !alpha_is_opaque(*map)) return map;
-    auto rgb = std::make_shared<Image>();
-    rgb->width = map->width;
-    rgb->height = map->height;
-    rgb->channels = 3;
-    rgb->data.resize(rgb->row_bytes() * static_cast<std::size_t>(rgb->height));
-    parallel_for(0, static_cast<std::int64_t>(rgb->data.size() / 3), 1 << 16,
-                 [&](std::int64_t first, std::int64_t last) {
-                     copy_without_alpha(map->data.data() + first * 4, rgb->data.data() + first * 3,
-                                        last - first);
-                 });
-    return rgb;
+    if (!rgba8 || !last_is_one(*map)) return map;
+    return std::make_shared<const Image>(without_last(*map));
 }
 
 /// What each byte stands for: itself as 0..1, or the linear light of an sRGB-encoded value.

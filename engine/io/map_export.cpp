@@ -9,6 +9,7 @@
 #include "composite/bake_channels.h"
 #include "composite/dilate.h"
 #include "composite/operations.h"
+#include "io/last_channel.h"
 #include "io/packed_bytes.h"
 #include "io/packed_channels.h"
 #include "io/safe_name.h"

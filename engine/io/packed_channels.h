@@ -19,9 +19,4 @@ Result<std::vector<Image>> packed_channels(const Program& program, ImageProvider
                                            const std::vector<PackedMap>& maps, SampleType type,
                                            const Progress& progress = {});
 
-/// Whether a channel of an image, its last, is 1 everywhere.
-bool last_is_one(const Image& image);
-/// The image without its last channel.
-Image without_last(const Image& image);
-
 }  // namespace patina::io
