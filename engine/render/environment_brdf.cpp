@@ -21,30 +21,30 @@ formulae::Real2 lobe_point(unsigned i, unsigned count) {
     return u;
 }
 
-/// Sums over the directions of a lobe in which x-z is the plane of the view. What is seen of one is
-/// its core: the long tail of GGX, which would decide about plain moments, counts less when each
-/// direction is weighted by the root of the lobe's own value there too.
+/// Sums over the directions of a lobe, in the plane of the view: x away from the eye, y along the
+/// normal; what lies across is the same on both sides. What is seen of a lobe is its core: the long
+/// tail of GGX, which would decide about plain moments, counts less when each direction is weighted
+/// by the root of the lobe's own value there too.
 class LobeMoments {
   public:
-    /// @param weight  of the direction; all of a lobe add up to anything
-    /// @param value   of the lobe in that direction, a steradian
-    void add(const glm::dvec3& direction, double weight, double value) {
-        const double counted = weight * std::sqrt(value);
+    /// @param weight   of the direction; all of a lobe add up to anything
+    /// @param density  of such directions where they are drawn, a steradian
+    void add(const glm::dvec2& direction, double weight, double density) {
+        const double counted = weight * std::sqrt(weight * density);
         first_ += counted * direction;
         second_ += counted * glm::outerProduct(direction, direction);
         total_ += counted;
     }
-    glm::dvec3 axis() const { return glm::normalize(first_); }
-    /// The mean square of the distance from the axis in the plane of the view, along which a lobe
-    /// is longest.
+    glm::dvec2 axis() const { return glm::normalize(first_); }
+    /// The mean square of the distance from the axis, in the plane, along which a lobe is longest.
     double width() const {
-        const glm::dvec3 off(axis().z, 0.0, -axis().x);
+        const glm::dvec2 off(axis().y, -axis().x);
         return glm::dot(off, second_ * off) / total_;
     }
 
   private:
-    glm::dvec3 first_{0.0};
-    glm::dmat3 second_{0.0};
+    glm::dvec2 first_{0.0};
+    glm::dmat2 second_{0.0};
     double total_ = 0.0;
 };
 
@@ -57,7 +57,7 @@ LevelWidths level_widths() {
         const float share = static_cast<float>(i) / (kPrefilteredLevels - 1);
         LobeMoments lobe;
         for (const LobeDirection& each : prefiltered_lobe(prefiltered_roughness(share), kSamples))
-            lobe.add(each.direction, each.weight, each.weight / each.solid_angle);
+            lobe.add({each.direction.x, each.direction.z}, each.weight, 1.0 / each.solid_angle);
         widths[i] = lobe.width();
     }
     return widths;
@@ -85,8 +85,6 @@ formulae::BrdfTerms shared_terms(const PbrTerms& terms) {
 EnvironmentBrdf table_entry(const formulae::BrdfTerms& terms, float n_dot_v, float roughness,
                             const LevelWidths& widths) {
     const float alpha = formulae::alpha_from_roughness(roughness);
-    const double sine = std::sqrt(std::max(1.0 - double{n_dot_v} * n_dot_v, 1e-8));
-    const glm::dvec3 to_eye(sine, 0.0, n_dot_v);
     double scale = 0.0;
     double bias = 0.0;
     LobeMoments lobe;
@@ -97,15 +95,12 @@ EnvironmentBrdf table_entry(const formulae::BrdfTerms& terms, float n_dot_v, flo
         if (weight <= 0.0) continue;
         scale += sample.scale;
         bias += sample.bias;
-        const glm::dvec3 light(sample.light.x, sample.light.y, sample.light.z);
-        const glm::dvec3 h = glm::normalize(light + to_eye);
-        const double density = formulae::distribution_ggx(static_cast<float>(h.z), alpha) * h.z /
-                               (4.0 * std::max(glm::dot(h, to_eye), 1e-4));
-        lobe.add(light, weight, weight * density);
+        lobe.add({-sample.light.x, sample.light.z}, weight, sample.density);
     }
+    const double sine = std::sqrt(std::max(1.0 - double{n_dot_v} * n_dot_v, 1e-8));
     return {.scale = static_cast<float>(scale / kSamples),
             .bias = static_cast<float>(bias / kSamples),
-            .tangent_scale = static_cast<float>(-lobe.axis().x / sine),
+            .tangent_scale = static_cast<float>(lobe.axis().x / sine),
             .level_share = static_cast<float>(level_share_for(lobe.width(), widths))};
 }
 
@@ -146,7 +141,7 @@ std::vector<LobeDirection> prefiltered_lobe(float roughness, unsigned count) {
         const formulae::Real3 h = formulae::sample_ggx_half_vector(lobe_point(i, count), alpha);
         const glm::vec3 l(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
         if (l.z <= 0.0f) continue;
-        const float density = 0.25f * formulae::distribution_ggx(h.z, alpha);
+        const float density = formulae::ggx_mirrored_density(h.z, h.z, alpha);
         lobe.push_back({l, l.z, 1.0f / (static_cast<float>(count) * density)});
         total += l.z;
     }

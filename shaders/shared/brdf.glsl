@@ -324,6 +324,11 @@ Real3 sample_ggx_half_vector(Real2 u, Real alpha) {
     return direction_about_z(sqrt(max(cosine2, 0.0f)), u.x);
 }
 
+/// How dense the directions are that the eye sees mirrored by half vectors so drawn, a steradian.
+Real ggx_mirrored_density(Real n_dot_h, Real v_dot_h, Real alpha) {
+    return distribution_ggx(n_dot_h, alpha) * n_dot_h / (4.0f * max(v_dot_h, 1e-4f));
+}
+
 /// A half vector that the eye at v (unit, z > 0) sees, for u of the unit square.
 /// J. Dupuy and A. Benyoub, "Sampling visible GGX normals with spherical caps", 2023.
 Real3 sample_ggx_visible_half_vector(Real2 u, Real3 v, Real alpha) {

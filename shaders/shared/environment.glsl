@@ -78,11 +78,13 @@ Real sh9_irradiance_over_pi(Sh9 radiance, Sh9 basis) {
 
 /// What one sample adds to the split sum: its light direction in the tangent frame (z along the
 /// normal, the eye in the x-z plane), and the scale and bias of F0 in the directional albedo. The
-/// means over the unit square are the albedo F0 * scale + bias. 0 where the light is below.
+/// means over the unit square are the albedo F0 * scale + bias. 0 where the light is below. With it
+/// how dense such directions are, a steradian.
 struct SplitSumSample {
     Real3 light;
     Real scale;
     Real bias;
+    Real density;
 };
 
 /// For u of the unit square. Brian Karis, "Real shading in Unreal Engine 4", 2013. Other
@@ -102,6 +104,7 @@ SplitSumSample split_sum_sample(BrdfTerms terms, Real2 u, Real n_dot_v, Real alp
     Real grazing = fresnel(terms.fresnel, v_dot_h, Real3(0.0f), Real(1.0f)).x;
     result.scale = (1.0f - grazing) * weight;
     result.bias = grazing * weight;
+    result.density = ggx_mirrored_density(h.z, v_dot_h, alpha);
     return result;
 }
 
