@@ -75,9 +75,9 @@ check() {
     local flags=$1 text output half status=0; shift
     local -a sources=("${@% *}") keys=("${@#* }") call
     if (($# == 1)); then
-        call=("$PWD/$sources")
+        call=("$PWD/${sources[0]}")
     else
-        text=$work_folder/$keys.cpp
+        text=$work_folder/${keys[0]}.cpp
         printf "#include \"$PWD/%s\"\n" "${sources[@]}" >"$text"
         call=("$text" --config-file="$PWD/.clang-tidy" --header-filter='/(engine|app)/'
             --checks=-bugprone-suspicious-include)
@@ -114,13 +114,20 @@ find "${passed_folder%/*}" -type f -mtime +30 -delete
 echo "clang-tidy: $(wc -l <"$work_folder/changed") of $(wc -l <"$work_folder/keys") files have changed"
 # Highway compiles a file with kernels again for every instruction set, which it can do once in a text.
 grep -rl hwy/foreach_target.h engine app >"$work_folder/kernels"
-join "$work_folder/changed" <(list_flags) |
-    awk -v most="$files_together" -v kernels="$work_folder/kernels" -v folder="$work_folder" '
-        BEGIN { while ((getline path <kernels) > 0) alone[path] = 1 }
-        { path = $1; sub(/\/[^\/]*$/, "", path)
-          flags = $0; sub(/^[^ ]+ [^ ]+ /, "", flags)
-          group = ($1 in alone ? $1 : path) " " flags
-          if (count[group]++ % most == 0) file[group] = folder "/batch" ++made
-          print >(file[group]) }'
+list_flags >"$work_folder/flags"
+join "$work_folder/changed" "$work_folder/flags" >"$work_folder/calls"
+join -v 1 "$work_folder/changed" "$work_folder/flags" >"$work_folder/unknown"
+if [[ -s $work_folder/unknown ]]; then
+    echo "build/clang does not say how these are compiled; configure it anew (cmake --preset clang):"
+    cut -d' ' -f1 "$work_folder/unknown"
+    exit 1
+fi
+awk -v most="$files_together" -v kernels="$work_folder/kernels" -v folder="$work_folder" '
+    BEGIN { while ((getline path <kernels) > 0) alone[path] = 1 }
+    { path = $1; sub(/\/[^\/]*$/, "", path)
+      flags = $0; sub(/^[^ ]+ [^ ]+ /, "", flags)
+      group = ($1 in alone ? $1 : path) " " flags
+      if (count[group]++ % most == 0) file[group] = folder "/batch" ++made
+      print >(file[group]) }' "$work_folder/calls"
 find "$work_folder" -name 'batch*' -print0 |
     xargs -r -0 -P "$(nproc)" -n 1 bash -c 'check_batch "$1"' check_batch
