@@ -12,6 +12,7 @@ namespace patina::editor {
 namespace {
 
 namespace fs = std::filesystem;
+
 constexpr double kMostPixels = 16384.0;
 
 /// A number of the file within its range, or what was there before.

@@ -41,16 +41,6 @@ void copy_without_alpha(const std::byte* rgba, std::byte* rgb, std::int64_t texe
     for (; i < texels; ++i) std::memcpy(rgb + i * 3, rgba + i * 4, 3);
 }
 
-/// Drops the last channel of `texels` texels of any kind.
-void copy_without_last(const Image& image, const std::byte* from, std::byte* to,
-                       std::int64_t texels) {
-    const std::size_t sample = sample_bytes(image.type);
-    const std::size_t from_bytes = static_cast<std::size_t>(image.channels) * sample;
-    const std::size_t to_bytes = from_bytes - sample;
-    for (std::int64_t i = 0; i < texels; ++i, from += from_bytes, to += to_bytes)
-        std::memcpy(to, from, to_bytes);
-}
-
 }  // namespace
 
 bool last_is_one(const Image& image) {
@@ -74,15 +64,16 @@ Image without_last(const Image& image) {
                  .data = {}};
     result.data.resize(result.row_bytes() * static_cast<std::size_t>(result.height));
     const bool rgba8 = image.channels == 4 && image.type == SampleType::U8;
-    const auto texels =
-        static_cast<std::int64_t>(image.width) * static_cast<std::int64_t>(image.height);
     const auto from_bytes = static_cast<std::int64_t>(image.row_bytes()) / image.width;
     const auto to_bytes = static_cast<std::int64_t>(result.row_bytes()) / image.width;
+    const auto texels =
+        static_cast<std::int64_t>(image.width) * static_cast<std::int64_t>(image.height);
     parallel_for(0, texels, 1 << 16, [&](std::int64_t first, std::int64_t last) {
-        const std::byte* const from = image.data.data() + first * from_bytes;
-        std::byte* const to = result.data.data() + first * to_bytes;
-        rgba8 ? copy_without_alpha(from, to, last - first)
-              : copy_without_last(image, from, to, last - first);
+        const std::byte* from = image.data.data() + first * from_bytes;
+        std::byte* to = result.data.data() + first * to_bytes;
+        if (rgba8) return copy_without_alpha(from, to, last - first);
+        for (std::int64_t i = first; i < last; ++i, from += from_bytes, to += to_bytes)
+            std::memcpy(to, from, static_cast<std::size_t>(to_bytes));
     });
     return result;
 }

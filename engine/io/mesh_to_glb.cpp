@@ -13,7 +13,6 @@
 namespace patina::io {
 namespace {
 
-// Keeps members in the order in which they are added.
 // The numbers of the glTF 2.0 specification, 5.1.3 (componentType) and 5.11.5 (target).
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;

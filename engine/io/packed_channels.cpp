@@ -18,6 +18,7 @@ struct Recoding {
 };
 
 Recoding recoding_of(const PackedValue& value) {
+    if (!value.channel) return {};
     const ChannelKind kind = info(*value.channel).kind;
     if (kind == ChannelKind::Normal || kind == ChannelKind::Height)
         return {.scale = value.invert ? -0.5f : 0.5f, .offset = 0.5f};
@@ -42,7 +43,7 @@ void pack(const PackedMap& map, int c, const ChannelSpan& span, Image& image) {
     const PackedValue& value = map.values[static_cast<std::size_t>(c)];
     const float* const numbers =
         value.channel ? span.plane(*value.channel, value.component) : nullptr;
-    const Recoding recoding = value.channel ? recoding_of(value) : Recoding{};
+    const Recoding recoding = recoding_of(value);
     const bool encodes = map.is_color() && c < 3 && !std::is_same_v<Sample, float>;
     const auto channels = static_cast<std::size_t>(image.channels);
     Sample* out = reinterpret_cast<Sample*>(image.data.data() +

@@ -266,6 +266,10 @@ bool Editor::wait_for(const std::string& what, const std::function<bool()>& hold
     return true;
 }
 
+bool Editor::has_seen_pointer_at(int x, int y) const {
+    return fact("pointer") == std::to_string(x) + " " + std::to_string(y);
+}
+
 bool Editor::settle() const {
     return settle_at(pointer_x_ ^ (1 + ++settled_times_ % 3), pointer_y_);
 }
@@ -273,13 +277,10 @@ bool Editor::settle() const {
 bool Editor::settle_at(int x, int y) const {
     // What the map says of that place must not be left from an earlier visit, when the program has
     // yet to see what was done since.
-    while ((x == pointer_x_ && y == pointer_y_) ||
-           fact("pointer") == std::to_string(x) + " " + std::to_string(y))
-        ++x;
+    while ((x == pointer_x_ && y == pointer_y_) || has_seen_pointer_at(x, y)) ++x;
     point_at(x, y);
-    const std::string there = std::to_string(x) + " " + std::to_string(y);
     return wait_for("all to be done and shown",
-                    [&] { return fact("pointer") == there && fact("settled") == "yes"; });
+                    [&] { return has_seen_pointer_at(x, y) && fact("settled") == "yes"; });
 }
 
 bool Editor::wait_fact(const std::string& name, const std::string& value) const {
@@ -305,8 +306,7 @@ bool Editor::point_at_control(const std::string& place, const std::string& label
         if (x != pointer_x_ || y != pointer_y_) point_at(x, y);
         pause_briefly();
         const std::optional<Control> seen = find(place, label, kind);
-        return fact("pointer") == std::to_string(x) + " " + std::to_string(y) && seen &&
-               seen->x == control->x && seen->y == control->y;
+        return has_seen_pointer_at(x, y) && seen && seen->x == control->x && seen->y == control->y;
     });
 }
 

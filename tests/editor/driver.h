@@ -113,6 +113,7 @@ class Editor {
     bool point_at_control(const std::string& place, const std::string& label,
                           const std::string& kind) const;
     bool settle_at(int x, int y) const;
+    bool has_seen_pointer_at(int x, int y) const;
 
     std::string display_;
     std::filesystem::path map_file_;
