@@ -136,14 +136,14 @@ struct Refining {
     double seconds_to_rest = kRestingSeconds;
 };
 
-Session::FrameInput frame_input(const Layout& layout, const ViewState& view,
+Session::FrameInput frame_input(const Ui& ui, const Layout& layout, const ViewState& view,
                                 const Refining& refining) {
     Session::FrameInput input;
     const auto pixels = [](float size) { return std::max(static_cast<int>(size), 1); };
     input.viewport = {pixels(layout.viewport.width()), pixels(layout.viewport.height())};
     if (!layout.strip.empty() && !layout.histogram) {
-        const float width = layout.strip.width() / render::kStripChannelCount;
-        input.strip_card = {pixels(width), pixels(width * 134.0f / 240.0f)};
+        const Rect card = channel_picture(ui, layout.strip);
+        input.strip_card = {pixels(card.width()), pixels(card.height())};
     }
     const ImVec2 mouse = ImGui::GetMousePos();
     if (view.tool == ViewportTool::Probe && layout.viewport.contains(mouse.x, mouse.y))
@@ -187,7 +187,7 @@ double draw_frame(Parts& parts, bool quiet) {
         workspace.set_has_log_panel(!layout.history.empty());
         parts.viewport = layout.viewport;
         parts.layers = layout.layers;
-        session.update(view, frame_input(layout, view, parts.refining));
+        session.update(view, frame_input(ui, layout, view, parts.refining));
         const Shown shown = session.shown(view);
         Requests requests = draw_panels(ui, layout, shown, view);
         draw_dialogs(ui, workspace, shown);

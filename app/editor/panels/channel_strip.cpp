@@ -6,6 +6,24 @@
 namespace patina::editor {
 namespace {
 
+/// Where the card of channel `index` lies, its label with it.
+Rect card_rect(const Ui& ui, const Rect& strip, int index) {
+    const float gap = ui.px(strip.width() / ui.scale > 900 ? 6 : 4);
+    const float x0 = strip.x0 + ui.px(8);
+    const float inner = strip.x1 - ui.px(8) - x0;
+    const float width = (inner - gap * (render::kStripChannelCount - 1)) /
+                        static_cast<float>(render::kStripChannelCount);
+    const float x = x0 + static_cast<float>(index) * (width + gap);
+    return {std::round(x), strip.y0 + ui.px(8), std::round(x + width), strip.y1 - ui.px(6)};
+}
+
+/// Takes the label's rectangle off the bottom of `card`, which leaves the picture's.
+Rect cut_label(const Ui& ui, Rect& card) {
+    const Rect label = card.cut_bottom(ui.px(14));
+    card.cut_bottom(ui.px(4));
+    return label;
+}
+
 void draw_card(Ui& ui, const Rect& card, int index, const Shown& shown, render::View& view) {
     const render::ChannelViewInfo& row = render::kChannelViews[static_cast<std::size_t>(index)];
     const std::string key = std::to_string(index);
@@ -14,8 +32,7 @@ void draw_card(Ui& ui, const Rect& card, int index, const Shown& shown, render::
     const Press pressed = press(
         ui, card, {.label = row.label, .kind = "channel", .value = on ? "on" : "off", .tip = &tip});
     Rect rest = card;
-    const Rect label = rest.cut_bottom(ui.px(14));
-    rest.cut_bottom(ui.px(4));
+    const Rect label = cut_label(ui, rest);
     fill(ui, rest, rgb(0x1A1A1A), 3);
     if (shown.strip.texture != nullptr) {
         // The strip is one picture, its first row at the bottom as OpenGL has it.
@@ -40,21 +57,19 @@ void draw_card(Ui& ui, const Rect& card, int index, const Shown& shown, render::
 
 }  // namespace
 
+Rect channel_picture(const Ui& ui, const Rect& rect) {
+    Rect picture = card_rect(ui, rect, 0);
+    cut_label(ui, picture);
+    return picture;
+}
+
 Requests draw_channel_strip(Ui& ui, const Rect& rect, const Shown& shown, ViewState& state) {
     if (rect.empty()) return {};
     const Place place(ui, "Channels");
     fill(ui, rect, theme::kPanel, 6, ImDrawFlags_RoundCornersBottom);
     if (!shown.document) return {};
-    Rect rest = rect;
-    rest = {rest.x0 + ui.px(8), rest.y0 + ui.px(8), rest.x1 - ui.px(8), rest.y1 - ui.px(6)};
-    const float gap = ui.px(rect.width() / ui.scale > 900 ? 6 : 4);
-    const float width =
-        (rest.width() - gap * (render::kStripChannelCount - 1)) / render::kStripChannelCount;
-    for (int i = 0; i < render::kStripChannelCount; ++i) {
-        const float x = rest.x0 + static_cast<float>(i) * (width + gap);
-        draw_card(ui, {std::round(x), rest.y0, std::round(x + width), rest.y1}, i, shown,
-                  state.view);
-    }
+    for (int i = 0; i < render::kStripChannelCount; ++i)
+        draw_card(ui, card_rect(ui, rect, i), i, shown, state.view);
     return {};
 }
 

@@ -17,6 +17,8 @@ Requests draw_layers_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
 Requests draw_history_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_viewport_bar(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 Requests draw_viewport(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
+/// Where the strip in `rect` shows the first of its pictures, which are all as large.
+Rect channel_picture(const Ui& ui, const Rect& rect);
 Requests draw_channel_strip(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 /// Below two views and their difference: how often it is how large.
 Requests draw_difference_panel(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
