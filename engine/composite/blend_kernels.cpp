@@ -7,20 +7,44 @@
 #define HWY_TARGET_INCLUDE "composite/blend_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/texel_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-using formulae::lane_count;
 using formulae::load;
-using formulae::Real;
 using formulae::Real3;
 using formulae::store;
 
-HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
-    return load(plane.data + i * plane.step);
+/// Calls `blend` with what reads the colours of the source.
+template <class Blend>
+HWY_INLINE void with_colors(const BlendTask& task, const Blend& blend) {
+    const StoredTexels& stored = task.stored;
+    const auto texels = [&]<int kChannels, class Value>() {
+        blend(TexelReader<std::uint8_t, kChannels, 0, 3, Value>(stored.texels, stored.row_bytes,
+                                                                task.count));
+    };
+    if (stored.texels == nullptr) return blend(PlaneReader<3>(task.source));
+    if (stored.channels == 3)
+        return stored.decode ? texels.template operator()<3, Decoded>()
+                             : texels.template operator()<3, AsStored>();
+    return stored.decode ? texels.template operator()<4, Decoded>()
+                         : texels.template operator()<4, AsStored>();
+}
+
+/// The same of scalars.
+template <class Blend>
+HWY_INLINE void with_scalars(const BlendTask& task, const Blend& blend) {
+    if (task.stored.texels == nullptr) return blend(PlaneReader<1>(task.source));
+    blend(
+        TexelReader<std::uint8_t, 1, 0, 1>(task.stored.texels, task.stored.row_bytes, task.count));
+}
+
+HWY_INLINE void store(const Real3& values, float* const* planes, std::size_t i) {
+    store(values.x, planes[0] + i);
+    store(values.y, planes[1] + i);
+    store(values.z, planes[2] + i);
 }
 
 HWY_INLINE Real weight_at(const BlendTask& task, std::size_t i) {
@@ -30,56 +54,69 @@ HWY_INLINE Real weight_at(const BlendTask& task, std::size_t i) {
 /// Lays one component over an accumulator that has coverage.
 HWY_INLINE Real over_covered(Real backdrop, Real coverage, Real source, Real blended, Real weight) {
     const Real laid = formulae::over_premultiplied(backdrop, coverage, source, blended, weight);
-    return formulae::unpremultiplied(laid, formulae::over_coverage(coverage, weight));
+    const Real color = formulae::unpremultiplied(laid, formulae::over_coverage(coverage, weight));
+    return select(weight > 0.0f, color, backdrop);
 }
 
-/// The pixel loop of the modes that take each component by itself.
-template <class Mode, int kComponents, bool kCovered>
-HWY_NOINLINE HWY_FLATTEN void blend_components(const BlendTask& task) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        const Real weight = weight_at(task, i);
-        const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
-        for (int k = 0; k < kComponents; ++k) {
-            const Real backdrop = load(task.target[k] + i);
-            const Real source = load(task.source[k], i);
-            const Real blended = Mode::blend(backdrop, source);
-            store(kCovered ? over_covered(backdrop, coverage, source, blended, weight)
-                           : formulae::over_opaque(backdrop, blended, weight),
-                  task.target[k] + i);
+/// The pixel loop of the modes that take each component by itself. Takes the task by value: no
+/// float that is stored can be a part of it.
+template <class Mode, int kComponents, bool kCovered, class Source>
+HWY_NOINLINE HWY_FLATTEN void blend_components(const BlendTask task, const Source from) {
+    for (TileBlocks left = task.blocks; left != 0;) {
+        const TexelRun run = take_run(left, task.count);
+        for (std::size_t i = run.begin; i < run.end; i += lane_count()) {
+            const Real weight = weight_at(task, i);
+            const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
+            Real source[kComponents];
+            from.load(i, source);
+            for (int k = 0; k < kComponents; ++k) {
+                const Real backdrop = load(task.target[k] + i);
+                const Real blended = Mode::blend(backdrop, source[k]);
+                store(kCovered ? over_covered(backdrop, coverage, source[k], blended, weight)
+                               : formulae::over_opaque(backdrop, blended, weight),
+                      task.target[k] + i);
+            }
+            if (kCovered)
+                store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
         }
-        if (kCovered) store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
     }
 }
 
 template <class Mode>
 void blend_separable(const BlendTask& task) {
-    const bool covered = task.target_coverage != nullptr;
-    if (component_count(task.channel) == 3)
-        covered ? blend_components<Mode, 3, true>(task) : blend_components<Mode, 3, false>(task);
+    const bool color = component_count(task.channel) == 3;
+    if (task.target_coverage != nullptr)
+        return color ? blend_components<Mode, 3, true>(task, PlaneReader<3>(task.source))
+                     : blend_components<Mode, 1, true>(task, PlaneReader<1>(task.source));
+    if (color)
+        with_colors(task,
+                    [&](const auto& source) { blend_components<Mode, 3, false>(task, source); });
     else
-        covered ? blend_components<Mode, 1, true>(task) : blend_components<Mode, 1, false>(task);
+        with_scalars(task,
+                     [&](const auto& source) { blend_components<Mode, 1, false>(task, source); });
 }
 
 /// The pixel loop of the modes of normals. Relief modes lay the source, faded to flat by the
 /// weight, on what is below; in a group, where nothing is below the source stands by itself.
 template <class Mode, bool kCovered>
 HWY_NOINLINE HWY_FLATTEN void blend_directions(const BlendTask& task) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        const Real weight = weight_at(task, i);
-        const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
-                             load(task.target[2] + i));
-        const Real3 source(load(task.source[0], i), load(task.source[1], i),
-                           load(task.source[2], i));
-        Real3 result = Mode::laid(backdrop, source, weight);
-        if (kCovered) {
-            const Real coverage = load(task.target_coverage + i);
-            result =
-                formulae::unit_normal(result * coverage + source * (weight * (1.0f - coverage)));
-            store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+    for (TileBlocks left = task.blocks; left != 0;) {
+        const TexelRun run = take_run(left, task.count);
+        for (std::size_t i = run.begin; i < run.end; i += lane_count()) {
+            const Real weight = weight_at(task, i);
+            const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
+                                 load(task.target[2] + i));
+            const Real3 source(load(task.source[0], i), load(task.source[1], i),
+                               load(task.source[2], i));
+            Real3 result = Mode::laid(backdrop, source, weight);
+            if (kCovered) {
+                const Real coverage = load(task.target_coverage + i);
+                result = formulae::unit_normal(result * coverage +
+                                               source * (weight * (1.0f - coverage)));
+                store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+            }
+            store(select(weight > 0.0f, result, backdrop), task.target, i);
         }
-        store(result.x, task.target[0] + i);
-        store(result.y, task.target[1] + i);
-        store(result.z, task.target[2] + i);
     }
 }
 
@@ -90,59 +127,74 @@ void blend_normals(const BlendTask& task) {
 }
 
 /// The pixel loop of the modes that look at a colour as a whole.
-template <class Mode, bool kCovered>
-HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask& task) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        const Real weight = weight_at(task, i);
-        const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
-        const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
-                             load(task.target[2] + i));
-        const Real3 source(load(task.source[0], i), load(task.source[1], i),
-                           load(task.source[2], i));
-        const Real3 blended = Mode::blend(backdrop, source);
-        const auto laid = [&](Real below, Real own, Real mixed) {
-            return kCovered ? over_covered(below, coverage, own, mixed, weight)
-                            : formulae::over_opaque(below, mixed, weight);
-        };
-        store(laid(backdrop.x, source.x, blended.x), task.target[0] + i);
-        store(laid(backdrop.y, source.y, blended.y), task.target[1] + i);
-        store(laid(backdrop.z, source.z, blended.z), task.target[2] + i);
-        if (kCovered) store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+template <class Mode, bool kCovered, class Source>
+HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask task, const Source from) {
+    for (TileBlocks left = task.blocks; left != 0;) {
+        const TexelRun run = take_run(left, task.count);
+        for (std::size_t i = run.begin; i < run.end; i += lane_count()) {
+            const Real weight = weight_at(task, i);
+            const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
+            const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
+                                 load(task.target[2] + i));
+            Real values[3];
+            from.load(i, values);
+            const Real3 source(values[0], values[1], values[2]);
+            const Real3 blended = Mode::blend(backdrop, source);
+            const auto laid = [&](Real below, Real own, Real mixed) {
+                return kCovered ? over_covered(below, coverage, own, mixed, weight)
+                                : formulae::over_opaque(below, mixed, weight);
+            };
+            store(
+                Real3(laid(backdrop.x, source.x, blended.x), laid(backdrop.y, source.y, blended.y),
+                      laid(backdrop.z, source.z, blended.z)),
+                task.target, i);
+            if (kCovered)
+                store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+        }
     }
 }
 
 template <class Mode>
 void blend_colors(const BlendTask& task) {
-    task.target_coverage != nullptr ? blend_whole_colors<Mode, true>(task)
-                                    : blend_whole_colors<Mode, false>(task);
+    if (task.target_coverage != nullptr)
+        return blend_whole_colors<Mode, true>(task, PlaneReader<3>(task.source));
+    with_colors(task, [&](const auto& source) { blend_whole_colors<Mode, false>(task, source); });
 }
 
 /// The source takes the place of the accumulator, its clear parts included; an accumulator that is
 /// opaque stays so, and keeps its value where nothing at all is left.
+HWY_INLINE void replace_lanes(const BlendTask& task, std::size_t i) {
+    const Real weight = weight_at(task, i);
+    const Real own = load(task.source_coverage, i);
+    const Real coverage =
+        task.target_coverage != nullptr ? load(task.target_coverage + i) : Real(1.0f);
+    const Real left = formulae::replaced_coverage(coverage, own, weight);
+    const int components = component_count(task.channel);
+    Real backdrop[3];
+    Real values[3] = {0.0f, 0.0f, 0.0f};
+    for (int k = 0; k < components; ++k) {
+        backdrop[k] = load(task.target[k] + i);
+        const Real laid = formulae::replaced_premultiplied(backdrop[k], coverage,
+                                                           load(task.source[k], i), own, weight);
+        values[k] = select(left > 0.0f, formulae::unpremultiplied(laid, left), backdrop[k]);
+    }
+    if (task.channel == Channel::Normal) {
+        const Real3 unit = formulae::unit_normal(Real3(values[0], values[1], values[2]));
+        values[0] = unit.x;
+        values[1] = unit.y;
+        values[2] = unit.z;
+    }
+    const auto changes = weight > 0.0f;
+    for (int k = 0; k < components; ++k)
+        store(select(changes, values[k], backdrop[k]), task.target[k] + i);
+    if (task.target_coverage != nullptr)
+        store(select(changes, left, coverage), task.target_coverage + i);
+}
+
 HWY_NOINLINE HWY_FLATTEN void blend_replacing(const BlendTask& task) {
-    const bool normal = task.channel == Channel::Normal;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        const Real weight = weight_at(task, i);
-        const Real own = load(task.source_coverage, i);
-        const Real coverage =
-            task.target_coverage != nullptr ? load(task.target_coverage + i) : Real(1.0f);
-        const Real left = formulae::replaced_coverage(coverage, own, weight);
-        Real values[3] = {0.0f, 0.0f, 0.0f};
-        for (int k = 0; k < component_count(task.channel); ++k) {
-            const Real backdrop = load(task.target[k] + i);
-            const Real laid = formulae::replaced_premultiplied(
-                backdrop, coverage, load(task.source[k], i), own, weight);
-            values[k] = select(left > 0.0f, formulae::unpremultiplied(laid, left), backdrop);
-        }
-        if (normal) {
-            const Real3 unit = formulae::unit_normal(Real3(values[0], values[1], values[2]));
-            values[0] = unit.x;
-            values[1] = unit.y;
-            values[2] = unit.z;
-        }
-        for (int k = 0; k < component_count(task.channel); ++k)
-            store(values[k], task.target[k] + i);
-        if (task.target_coverage != nullptr) store(left, task.target_coverage + i);
+    for (TileBlocks left = task.blocks; left != 0;) {
+        const TexelRun run = take_run(left, task.count);
+        for (std::size_t i = run.begin; i < run.end; i += lane_count()) replace_lanes(task, i);
     }
 }
 
@@ -221,7 +273,8 @@ struct NormalLerp {
 void replace(const BlendTask& task) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
         for (int k = 0; k < component_count(task.channel); ++k)
-            store(load(task.source[k], i), task.target[k] + i);
+            if (task.source[k].data != task.target[k])
+                store(load(task.source[k], i), task.target[k] + i);
         if (task.target_coverage != nullptr) store(weight_at(task, i), task.target_coverage + i);
     }
 }
@@ -351,6 +404,20 @@ HWY_EXPORT(decode_planes);
 
 void blend_tile(const BlendTask& task) {
     HWY_DYNAMIC_DISPATCH(blend_by_mode)(task);
+}
+
+bool blends_stored(Channel channel, BlendMode mode, const StoredTexels& texels) {
+    if (mode == BlendMode::Replace || mode == BlendMode::PassThrough) return false;
+    switch (info(channel).kind) {
+        case ChannelKind::Color:
+            return texels.channels >= 3 && texels.first == 0;
+        case ChannelKind::Scalar:
+        case ChannelKind::Height:
+            return texels.channels == 1 && !texels.decode;
+        case ChannelKind::Normal:
+            return false;
+    }
+    return false;
 }
 
 void multiply_tile(const ReadPlane& a, const ReadPlane& b, float* product, int count) {

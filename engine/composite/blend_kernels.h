@@ -14,15 +14,21 @@ struct BlendTask {
     BlendMode mode = BlendMode::Normal;
     bool first = false;  ///< the source replaces the accumulator, whose coverage becomes the weight
     int count = 0;
-    float* target[3] = {};             ///< the accumulator: component_count(channel) planes
+    TileBlocks blocks = 0;  ///< outside of which the weight is 0: they are left as they are
+    float* target[3] = {};  ///< the accumulator: component_count(channel) planes
     float* target_coverage = nullptr;  ///< null where the accumulator is opaque
     ReadPlane source[3] = {};
-    ReadPlane weight = {};  ///< mask and coverage of the source; scaled by `amount`
+    StoredTexels stored = {};  ///< in place of `source`, where blends_stored() allows it
+    ReadPlane weight = {};     ///< mask and coverage of the source; scaled by `amount`
     /// Replace alone: the coverage of the source, which is then no part of the weight.
     ReadPlane source_coverage = {};
     float amount = 1.0f;
 };
+/// Texels whose weight is 0 keep their bits.
 void blend_tile(const BlendTask& task);
+
+/// Whether blend_tile reads such texels by itself, where the accumulator is opaque.
+bool blends_stored(Channel channel, BlendMode mode, const StoredTexels& texels);
 
 /// The product of two planes.
 void multiply_tile(const ReadPlane& a, const ReadPlane& b, float* product, int count);

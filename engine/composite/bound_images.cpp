@@ -85,6 +85,51 @@ int halvings_for(double texels) {
     return halvings;
 }
 
+/// What is done to the numbers of an image once they lie in planes. `filtered`: invert and decode
+/// were done to each tap.
+Adjustment adjustment_of(const SourceRecord& record, const Image& image,
+                         const Components& components, bool filtered) {
+    const auto& source = std::get<ImageSource>(record.source);
+    const bool normal = record.reading == Reading::Normal;
+    const bool encoded =
+        source.color_space == ColorSpace::Srgb && source.pick != ChannelPick::Alpha;
+    Adjustment adjustment{.invert = source.invert && !filtered,
+                          .decode = encoded && !normal && !filtered,
+                          .unpack = normal,
+                          .flip_y = normal && source.directx_normal,
+                          .normalise = normal,
+                          .luminance = !is_vector(record.reading) && components.count == 3,
+                          .encode = record.reading == Reading::EncodedColor,
+                          .multiply = source.multiply,
+                          .add = source.add};
+    adjustment.scale = source.multiply != glm::vec3(1.0f) || source.add != glm::vec3(0.0f);
+    const bool within = image.type != SampleType::F32 && !adjustment.scale;
+    adjustment.hold = !within && !normal && record.reading != Reading::Height;
+    // What is stored sRGB-encoded and blends so needs no way there and back.
+    if (adjustment.decode && adjustment.encode && !adjustment.scale)
+        adjustment.decode = adjustment.encode = false;
+    return adjustment;
+}
+
+ImageReading image_reading(const SourceRecord& record, const BoundImage& bound) {
+    const auto& source = std::get<ImageSource>(record.source);
+    const bool bytes = bound.image->type == SampleType::U8;
+    ImageReading reading{.components = picked_components(source.pick, bound.image->channels)};
+    const bool there = reading.components.index[0] >= 0;
+    const bool filtered = !bound.texel_for_texel || !there;
+    reading.adjustment = adjustment_of(record, *bound.image, reading.components, filtered);
+    if (filtered) {
+        reading.decode = source.color_space == ColorSpace::Srgb &&
+                         source.pick != ChannelPick::Alpha && record.reading != Reading::Normal;
+        return reading;
+    }
+    reading.decode = bytes && reading.adjustment.decode && !reading.adjustment.invert;
+    if (reading.decode) reading.adjustment.decode = false;
+    const bool alike = is_vector(record.reading) == (reading.components.count == 3);
+    reading.as_stored = bytes && alike && reading.adjustment.is_identity();
+    return reading;
+}
+
 BoundImage bound_image(const SourceRecord& record, const Hash128& hash, const ImagePtr& image,
                        int size, ReducedImages& reduced) {
     const auto& source = std::get<ImageSource>(record.source);
@@ -94,6 +139,13 @@ BoundImage bound_image(const SourceRecord& record, const Hash128& hash, const Im
     bound.texel_for_texel = source.transform == UvTransform{} &&
                             record.projection.kind == ProjectionKind::Uv &&
                             bound.image->width == size && bound.image->height == size;
+    bound.reading = image_reading(record, bound);
+    return bound;
+}
+
+BoundImage placeholder(const SourceRecord& record) {
+    BoundImage bound{.image = placeholder_image(), .placeholder = true};
+    bound.reading = image_reading(record, bound);
     return bound;
 }
 
@@ -112,11 +164,9 @@ BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size
         if (record.image < 0) continue;
         const auto index = static_cast<std::size_t>(record.image);
         const bool there = fetched[index].has_value() && *fetched[index] != nullptr;
-        if (there)
-            bound.sources.back() =
-                bound_image(record, program.images[index], *fetched[index], size, reduced);
-        else
-            bound.sources.back() = {.image = placeholder_image(), .placeholder = true};
+        bound.sources.back() =
+            there ? bound_image(record, program.images[index], *fetched[index], size, reduced)
+                  : placeholder(record);
     }
     const std::vector<bool> needed = needed_images(program, wanted);
     for (std::size_t i = 0; i < needed.size(); ++i)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "composite/fetch_kernels.h"
 #include "composite/image_provider.h"
 #include "composite/operations.h"
 #include "composite/reduced_images.h"
@@ -13,9 +14,18 @@
 
 namespace patina {
 
+/// What a source makes of an image's texels: the same in every tile.
+struct ImageReading {
+    Components components = {};
+    bool decode = false;         ///< sRGB to linear while reading: each tap, or each byte
+    Adjustment adjustment = {};  ///< of what lies in planes then
+    bool as_stored = false;      ///< the texels lie on those of the map, as bytes, and need no more
+};
+
 /// How one image source is read.
 struct BoundImage {
-    ImagePtr image;                ///< the original or a smaller copy; null for other sources
+    ImagePtr image;  ///< the original or a smaller copy; null for other sources
+    ImageReading reading = {};
     bool texel_for_texel = false;  ///< it lies on the texels of the map: rows are read as they are
     bool placeholder = false;      ///< the pixels are not at hand
 };

@@ -129,7 +129,7 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     program_.layers.push_back({terms.layer->id, terms.layer->name, depth});
     if (terms.reads_heights) note_relief(terms);
     emit_recoding(terms, like, state);
-    const std::int32_t mask_end = emit_masks(terms, like);
+    const std::int32_t last_entry = emit_masks(terms, like);
     if (terms.has_mask()) like.flags |= kUsesMask;
     if (!terms.children.empty()) {
         Operation begin = like;
@@ -150,7 +150,7 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
         if (entry.channel != Channel::Height) lay_on(entry.channel);
     // Last, since others may go by the heights below.
     lay_on(Channel::Height);
-    if (mask_end >= 0) program_.operations[static_cast<std::size_t>(mask_end)].jump = here();
+    if (last_entry >= 0) program_.operations[static_cast<std::size_t>(last_entry)].jump = here();
     below_ = outer;
 }
 
@@ -242,7 +242,7 @@ void Emitter::emit_height(const LayerTerms& terms, Operation like) {
     program_.operations.push_back(like);
 }
 
-/// Returns the index of the MaskEnd, whose jump is set when the layer is complete.
+/// Returns the index of the last entry, whose jump is set when the layer is complete.
 std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
     const MaskEntry& lowest = *mask.entries.front();
     const bool whole = lowest.opacity >= 1.0f;
@@ -267,12 +267,12 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
             program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
             program_.levels.push_back(entry->levels);
         }
+        if (entry == mask.entries.back()) {
+            join.flags |= kLast;
+            if (mask.invert) join.flags |= kInvertMask;
+        }
         program_.operations.push_back(join);
     }
-    Operation end = like;
-    end.code = OpCode::MaskEnd;
-    if (mask.invert) end.flags |= kInvert;
-    program_.operations.push_back(end);
     return here() - 1;
 }
 

@@ -1,168 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "composite/fetch_kernels.h"
 
-#include <hwy/cache_control.h>
-
-#include <array>
-
 #include "composite/kernel_targets.h"
-#include "core/formulae/formulae.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/fetch_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/texel_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using formulae::lane_count;
 using formulae::load;
-using formulae::Real;
 using formulae::Real3;
-using formulae::RealLanes;
 using formulae::store;
-using formulae::UintLanes;
 
-/// One component of lane_count() RGBA8 texels, which are one 32-bit number each.
-template <int kIndex>
-HWY_INLINE hn::Vec<formulae::IntLanes> byte_of(hn::Vec<UintLanes> texels) {
-    const auto byte = hn::And(hn::ShiftRight<8 * kIndex>(texels), hn::Set(UintLanes(), 0xffu));
-    return hn::BitCast(formulae::IntLanes(), byte);
-}
-
-/// Lanes of stored numbers as floats in 0..1.
-HWY_INLINE Real unit(hn::Vec<hn::Rebind<std::uint8_t, RealLanes>> stored) {
-    const auto wide = hn::PromoteTo(formulae::IntLanes(), stored);
-    return Real(hn::ConvertTo(RealLanes(), wide)) * (1.0f / 255.0f);
-}
-HWY_INLINE Real unit(hn::Vec<hn::Rebind<std::uint16_t, RealLanes>> stored) {
-    const auto wide = hn::PromoteTo(formulae::IntLanes(), stored);
-    return Real(hn::ConvertTo(RealLanes(), wide)) * (1.0f / 65535.0f);
-}
-HWY_INLINE Real unit(hn::Vec<RealLanes> stored) {
-    return Real(stored);
-}
-
-/// The linear light of each byte.
-HWY_INLINE const float* decoded_bytes() {
-    static const auto table = [] {
-        std::array<float, 256> decoded{};
-        for (std::size_t byte = 0; byte < decoded.size(); ++byte)
-            decoded[byte] =
-                patina::formulae::linear_from_srgb(static_cast<float>(byte) * (1.0f / 255.0f));
-        return decoded;
-    }();
-    return table.data();
-}
-
-/// How stored numbers become values.
-struct AsStored {
-    static HWY_INLINE AsStored make() { return {}; }
-    template <typename Stored>
-    HWY_INLINE Real operator()(Stored stored) const {
-        return unit(stored);
-    }
-    HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const {
-        return Real(hn::ConvertTo(RealLanes(), byte)) * (1.0f / 255.0f);
-    }
-};
-struct Decoded {
-    const float* table;
-    static HWY_INLINE Decoded make() { return {decoded_bytes()}; }
-    HWY_INLINE Real operator()(hn::Vec<hn::Rebind<std::uint8_t, RealLanes>> stored) const {
-        return of_byte(hn::PromoteTo(formulae::IntLanes(), stored));
-    }
-    HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const {
-        return Real(hn::GatherIndex(RealLanes(), table, byte));
-    }
-};
-
-/// The four components of lane_count() interleaved texels; those beyond kChannels stay unset.
-template <typename Sample, int kChannels, class Value>
-HWY_INLINE void load_texels(const Sample* texels, const Value& value, Real out[4]) {
-    const hn::Rebind<Sample, RealLanes> lanes;
-    hn::Vec<decltype(lanes)> a, b, c, d;
-    if constexpr (kChannels == 1) {
-        out[0] = value(hn::LoadU(lanes, texels));
-    } else if constexpr (kChannels == 2) {
-        hn::LoadInterleaved2(lanes, texels, a, b);
-        out[0] = value(a);
-        out[1] = value(b);
-    } else if constexpr (kChannels == 3) {
-        hn::LoadInterleaved3(lanes, texels, a, b, c);
-        out[0] = value(a);
-        out[1] = value(b);
-        out[2] = value(c);
-    } else if constexpr (std::is_same_v<Sample, std::uint8_t>) {
-        // A texel is one 32-bit number.
-        const auto packed = hn::LoadU(UintLanes(), reinterpret_cast<const std::uint32_t*>(texels));
-        out[0] = value.of_byte(byte_of<0>(packed));
-        out[1] = value.of_byte(byte_of<1>(packed));
-        out[2] = value.of_byte(byte_of<2>(packed));
-        out[3] = value.of_byte(byte_of<3>(packed));
-    } else {
-        hn::LoadInterleaved4(lanes, texels, a, b, c, d);
-        out[0] = value(a);
-        out[1] = value(b);
-        out[2] = value(c);
-        out[3] = value(d);
-    }
-}
-
-/// Component kIndex of each texel, or, where it is -1, the first three.
-template <int kChannels, int kIndex, typename Sample, class Value>
-HWY_INLINE void read_lanes(const Sample* texels, const Value& value, float* const* planes,
-                           std::size_t at) {
-    Real texel[4];
-    load_texels<Sample, kChannels>(texels, value, texel);
-    if constexpr (kIndex >= 0) {
-        store(texel[kIndex], planes[0] + at);
-    } else {
-        for (int k = 0; k < 3; ++k) store(texel[k], planes[k] + at);
-    }
-}
-
-/// Asks for the bytes that the next tile of the row will read where this one reads `texels`, a few
-/// at a time, so that the requests do not queue. Hardware follows a few streams well, but a stack
-/// reads dozens in turn, in short runs.
-template <std::size_t kBytes>
-HWY_INLINE void prefetch_next(const void* texels, std::size_t tile_bytes) {
-    const auto* const next = static_cast<const std::byte*>(texels) + tile_bytes;
-    for (std::size_t i = 0; i < kBytes; i += 64) hwy::Prefetch(next + i);
-}
-
-template <typename Sample, int kChannels, int kIndex, class Value = AsStored>
+/// kComponents of each texel, from component kFirst on.
+template <typename Sample, int kChannels, int kFirst, int kComponents, class Value>
 HWY_NOINLINE HWY_FLATTEN void read_run(const ReadTask& task) {
-    const Value value = Value::make();
-    const std::size_t count = static_cast<std::size_t>(task.count);
-    const auto* const texels = reinterpret_cast<const Sample*>(task.texels);
-    const std::size_t tile_bytes = count * kChannels * sizeof(Sample);
-    constexpr std::size_t kStepBytes = hn::MaxLanes(RealLanes()) * kChannels * sizeof(Sample);
-    std::size_t i = 0;
-    for (; i + lane_count() <= count; i += lane_count()) {
-        prefetch_next<kStepBytes>(texels + i * kChannels, tile_bytes);
-        read_lanes<kChannels, kIndex>(texels + i * kChannels, value, task.planes, i);
+    const TexelReader<Sample, kChannels, kFirst, kComponents, Value> reader(
+        task.texels, task.row_bytes, task.count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
+        Real values[kComponents];
+        reader.load(i, values);
+        for (int k = 0; k < kComponents; ++k) store(values[k], task.planes[k] + i);
     }
-    if (i == count) return;
-    // The last texels may end where the image ends: read them from a padded copy.
-    alignas(64) Sample padded[16 * kChannels] = {};
-    __builtin_memcpy(padded, texels + i * kChannels, (count - i) * kChannels * sizeof(Sample));
-    read_lanes<kChannels, kIndex>(padded, value, task.planes, i);
 }
 
 template <typename Sample, int kChannels, class Value>
 void read_component(const ReadTask& task, int index) {
     if constexpr (kChannels > 3)
-        if (index == 3) return read_run<Sample, kChannels, 3, Value>(task);
+        if (index == 3) return read_run<Sample, kChannels, 3, 1, Value>(task);
     if constexpr (kChannels > 2)
-        if (index == 2) return read_run<Sample, kChannels, 2, Value>(task);
+        if (index == 2) return read_run<Sample, kChannels, 2, 1, Value>(task);
     if constexpr (kChannels > 1)
-        if (index == 1) return read_run<Sample, kChannels, 1, Value>(task);
-    read_run<Sample, kChannels, 0, Value>(task);
+        if (index == 1) return read_run<Sample, kChannels, 1, 1, Value>(task);
+    read_run<Sample, kChannels, 0, 1, Value>(task);
 }
 
 template <typename Sample, class Value>
@@ -174,10 +49,10 @@ void read_samples(const ReadTask& task) {
         case 2:
             return read_component<Sample, 2, Value>(task, index);
         case 3:
-            return task.components.count == 3 ? read_run<Sample, 3, -1, Value>(task)
+            return task.components.count == 3 ? read_run<Sample, 3, 0, 3, Value>(task)
                                               : read_component<Sample, 3, Value>(task, index);
         default:
-            return task.components.count == 3 ? read_run<Sample, 4, -1, Value>(task)
+            return task.components.count == 3 ? read_run<Sample, 4, 0, 3, Value>(task)
                                               : read_component<Sample, 4, Value>(task, index);
     }
 }

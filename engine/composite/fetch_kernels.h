@@ -21,6 +21,7 @@ Components picked_components(ChannelPick pick, int channels);
 /// A run of texels as stored: 0..1 for integers, or in linear light.
 struct ReadTask {
     const std::byte* texels = nullptr;
+    std::size_t row_bytes = 0;  ///< from a row of the image to the next
     SampleType type = SampleType::U8;
     int channels = 4;
     Components components = {};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "composite/image_sampling.h"
 
-#include <array>
 #include <cmath>
 
+#include "composite/decoded_bytes.h"
 #include "composite/sample_values.h"
 #include "core/formulae/formulae.h"
 
@@ -50,17 +50,6 @@ Taps taps_at(float coordinate, int side, Wrap wrap, Filter filter) {
     const int index = static_cast<int>(lower);
     return {wrapped_index(index, side, wrap), wrapped_index(index + 1, side, wrap),
             from_center - lower};
-}
-
-const std::array<float, 256>& decoded_bytes() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
-        for (int i = 0; i < 256; ++i)
-            values[static_cast<std::size_t>(i)] =
-                formulae::linear_from_srgb(static_cast<float>(i) * (1.0f / 255.0f));
-        return values;
-    }();
-    return table;
 }
 
 float tap(const SamplingTask& task, int x, int y, int channel) {

@@ -7,88 +7,113 @@
 #define HWY_TARGET_INCLUDE "composite/mask_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/texel_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-using formulae::lane_count;
 using formulae::load;
-using formulae::Real;
 using formulae::store;
 
-HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
-    return load(plane.data + i * plane.step);
-}
-
-HWY_INLINE Real entry_at(const MaskTask& task, std::size_t i) {
-    Real value = load(task.source, i);
+HWY_INLINE Real entry_of(const MaskTask& task, Real value) {
     if (task.invert) value = formulae::inverted(value);
     if (task.levels == nullptr) return value;
     return formulae::levels(value, task.levels->in_low, task.levels->in_high, task.levels->gamma,
                             task.levels->out_low, task.levels->out_high);
 }
 
-template <class Combine>
-HWY_NOINLINE HWY_FLATTEN void join(const MaskTask& task) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        const Real below = load(task.mask + i);
-        const Real joined = Combine::joined(below, entry_at(task, i));
-        store(mix(below, joined, task.opacity), task.mask + i);
+/// Lays the entry on lane_count() texels of the mask and returns what is there then.
+template <class Combine, class Source>
+HWY_INLINE Real joined_lanes(const MaskTask& task, const Source& from, std::size_t i) {
+    Real value;
+    from.load(i, &value);
+    value = Combine::joined(task.mask + i, entry_of(task, value), task.opacity);
+    if (task.last) {
+        value = clamp(value, 0.0f, 1.0f);
+        if (task.invert_mask) value = formulae::inverted(value);
     }
+    store(value, task.mask + i);
+    return value;
 }
 
-HWY_NOINLINE HWY_FLATTEN void begin_with_entry(const MaskTask& task) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count())
-        store(entry_at(task, i), task.mask + i);
+/// How far the texels from `i` on are from 0; those beyond `count` hold anything and do not count.
+HWY_INLINE Real counted(Real value, std::size_t i, std::size_t count) {
+    const auto inside = hn::FirstN(RealLanes(), count - i);
+    return Real(hn::Abs(hn::IfThenElseZero(inside, value.lanes)));
 }
 
-#define PATINA_COMBINE(NAME, FORMULA)                           \
-    struct NAME {                                               \
-        static HWY_INLINE Real joined(Real below, Real entry) { \
-            return formulae::FORMULA(below, entry);             \
-        }                                                       \
+/// Takes the task by value: no float that is stored can be a part of it.
+template <class Combine, class Source>
+HWY_NOINLINE HWY_FLATTEN TileBlocks join(const MaskTask task, const Source from) {
+    const auto count = static_cast<std::size_t>(task.count);
+    // What is multiplied stays 0 where it is 0.
+    const bool keeps_zero = Combine::kKeepsZero && !(task.last && task.invert_mask);
+    const TileBlocks joined = keeps_zero ? task.blocks : all_blocks(task.count);
+    TileBlocks filled = 0;
+    for (TileBlocks left = joined; left != 0; left &= left - 1) {
+        const auto block = static_cast<std::size_t>(__builtin_ctz(left));
+        const std::size_t begin = block * kBlockTexels;
+        const std::size_t past = begin + kBlockTexels;
+        const std::size_t end = past < count ? past : count;
+        Real most = 0.0f;
+        for (std::size_t i = begin; i < end; i += lane_count())
+            most = max(most, counted(joined_lanes<Combine>(task, from, i), i, count));
+        if (!hn::AllTrue(RealLanes(), (most <= 0.0f).mask)) filled |= left & -left;
+    }
+    return filled;
+}
+
+/// Nothing lies below: the entry is the mask.
+struct First {
+    static constexpr bool kKeepsZero = false;
+    static HWY_INLINE Real joined(const float*, Real entry, float) { return entry; }
+};
+
+#define PATINA_COMBINE(NAME, FORMULA, KEEPS_ZERO)                                     \
+    struct NAME {                                                                     \
+        static constexpr bool kKeepsZero = KEEPS_ZERO;                                \
+        static HWY_INLINE Real joined(const float* mask, Real entry, float opacity) { \
+            const Real below = load(mask);                                            \
+            return mix(below, formulae::FORMULA(below, entry), opacity);              \
+        }                                                                             \
     };
-PATINA_COMBINE(Replace, mask_replace)
-PATINA_COMBINE(Multiply, mask_multiply)
-PATINA_COMBINE(Add, mask_add)
-PATINA_COMBINE(Subtract, mask_subtract)
-PATINA_COMBINE(Lighten, mask_lighten)
-PATINA_COMBINE(Darken, mask_darken)
+PATINA_COMBINE(Replace, mask_replace, false)
+PATINA_COMBINE(Multiply, mask_multiply, true)
+PATINA_COMBINE(Add, mask_add, false)
+PATINA_COMBINE(Subtract, mask_subtract, false)
+PATINA_COMBINE(Lighten, mask_lighten, false)
+PATINA_COMBINE(Darken, mask_darken, false)
 #undef PATINA_COMBINE
 
-void join_by_combine(const MaskTask& task) {
-    if (task.first) return begin_with_entry(task);
-    switch (task.combine) {
-        case MaskCombine::Replace:
-            return join<Replace>(task);
-        case MaskCombine::Multiply:
-            return join<Multiply>(task);
-        case MaskCombine::Add:
-            return join<Add>(task);
-        case MaskCombine::Subtract:
-            return join<Subtract>(task);
-        case MaskCombine::Lighten:
-            return join<Lighten>(task);
-        case MaskCombine::Darken:
-            return join<Darken>(task);
-    }
+template <class Combine>
+TileBlocks join_source(const MaskTask& task) {
+    const StoredTexels& stored = task.stored;
+    if (stored.texels == nullptr) return join<Combine>(task, PlaneReader<1>(&task.source));
+    if (stored.channels == 1)
+        return join<Combine>(
+            task, TexelReader<std::uint8_t, 1, 0, 1>(stored.texels, stored.row_bytes, task.count));
+    return join<Combine>(
+        task, TexelReader<std::uint8_t, 4, 3, 1>(stored.texels, stored.row_bytes, task.count));
 }
 
-HWY_FLATTEN bool finish(float* mask, bool invert, int count) {
-    namespace hn = hwy::HWY_NAMESPACE;
-    const std::size_t end = static_cast<std::size_t>(count);
-    Real most = 0.0f;
-    for (std::size_t i = 0; i < end; i += lane_count()) {
-        Real value = clamp(load(mask + i), 0.0f, 1.0f);
-        if (invert) value = formulae::inverted(value);
-        store(value, mask + i);
-        // Lanes beyond the last texel hold anything and must not count.
-        const auto inside = hn::FirstN(formulae::RealLanes(), end - i);
-        most = max(most, Real(hn::IfThenElseZero(inside, value.lanes)));
+TileBlocks join_by_combine(const MaskTask& task) {
+    if (task.first) return join_source<First>(task);
+    switch (task.combine) {
+        case MaskCombine::Replace:
+            return join_source<Replace>(task);
+        case MaskCombine::Multiply:
+            return join_source<Multiply>(task);
+        case MaskCombine::Add:
+            return join_source<Add>(task);
+        case MaskCombine::Subtract:
+            return join_source<Subtract>(task);
+        case MaskCombine::Lighten:
+            return join_source<Lighten>(task);
+        case MaskCombine::Darken:
+            return join_source<Darken>(task);
     }
-    return !hn::AllTrue(formulae::RealLanes(), (most <= 0.0f).mask);
+    return all_blocks(task.count);
 }
 
 HWY_FLATTEN void share_by_height(const HeightShareTask& task) {
@@ -120,17 +145,17 @@ HWY_AFTER_NAMESPACE();
 namespace patina {
 
 HWY_EXPORT(join_by_combine);
-HWY_EXPORT(finish);
 HWY_EXPORT(share_by_height);
 HWY_EXPORT(fill);
 HWY_EXPORT(copy);
 
-void join_mask_tile(const MaskTask& task) {
-    HWY_DYNAMIC_DISPATCH(join_by_combine)(task);
+TileBlocks join_mask_tile(const MaskTask& task) {
+    return HWY_DYNAMIC_DISPATCH(join_by_combine)(task);
 }
 
-bool finish_mask_tile(float* mask, bool invert, int count) {
-    return HWY_DYNAMIC_DISPATCH(finish)(mask, invert, count);
+bool mask_reads_stored(const StoredTexels& texels) {
+    if (texels.decode) return false;
+    return texels.channels == 1 || (texels.channels == 4 && texels.first == 3);
 }
 
 void share_by_height_tile(const HeightShareTask& task) {

@@ -9,20 +9,23 @@ namespace patina {
 
 struct MaskTask {
     float* mask = nullptr;
+    TileBlocks blocks = 0;  ///< outside of which the mask is 0, as it is so far
     ReadPlane source = {};
+    StoredTexels stored = {};  ///< in place of `source`, where mask_reads_stored() allows it
     MaskCombine combine = MaskCombine::Multiply;
     float opacity = 1.0f;
     bool first = false;              ///< nothing lies below: the entry is the mask
     bool invert = false;             ///< of the entry, before its levels
     const Levels* levels = nullptr;  ///< null: the identity
+    bool last = false;               ///< the mask is complete: it is held to 0..1 and then
+    bool invert_mask = false;        ///< inverted
     int count = 0;
 };
-/// Joins one entry to the mask.
-void join_mask_tile(const MaskTask& task);
+/// Joins one entry to the mask. Returns the blocks outside of which it is 0.
+TileBlocks join_mask_tile(const MaskTask& task);
 
-/// Clamps the mask to 0..1 and inverts it where asked. Returns whether any of the `count` texels is
-/// more than 0.
-bool finish_mask_tile(float* mask, bool invert, int count);
+/// Whether join_mask_tile reads such texels by itself.
+bool mask_reads_stored(const StoredTexels& texels);
 
 /// Where the heights of a layer and of what lies below it are, and how they decide.
 struct HeightShareTask {

@@ -38,10 +38,9 @@ constexpr int component_count(Channel channel) {
 enum class OpCode : std::uint8_t {
     /// The mask of this depth := `amount` everywhere.
     MaskBegin,
-    /// Joins one entry (source, combine, amount, levels, flags) to the mask of this depth.
+    /// Joins one entry (source, combine, amount, levels, flags) to the mask of this depth. The last
+    /// one finishes it; where the mask then is 0 in a whole tile, the run goes on at `jump`.
     MaskEntry,
-    /// Clamps the mask (and inverts it); where it is 0 in a whole tile, goes on at `jump`.
-    MaskEnd,
     /// Multiplies the finished mask of this depth by the share that its height gives the layer.
     MaskHeight,
     /// Recodes the accumulated colour of `channel` for the blend space of the layer to come.
@@ -68,13 +67,13 @@ enum class OpCode : std::uint8_t {
 };
 
 /// Bits of Operation::flags.
-using OperationFlags = std::uint8_t;
+using OperationFlags = std::uint16_t;
 /// The weight is scaled by the mask of this depth.
 inline constexpr OperationFlags kUsesMask = 1;
 /// MaskEntry: nothing lies below; the entry is the mask. Blend: the source replaces the
 /// accumulator; its coverage is the weight.
 inline constexpr OperationFlags kFirst = 2;
-/// MaskEntry: of the entry; MaskEnd: of the mask.
+/// MaskEntry: 1 less the entry.
 inline constexpr OperationFlags kInvert = 4;
 /// MaskEntry: levels differ from the identity.
 inline constexpr OperationFlags kLevels = 8;
@@ -84,6 +83,10 @@ inline constexpr OperationFlags kEncoded = 16;
 inline constexpr OperationFlags kChildEncoded = 32;
 /// Of a layer that is referred to: no step of the stack that `explain` shows.
 inline constexpr OperationFlags kReferred = 64;
+/// MaskEntry: the mask is complete.
+inline constexpr OperationFlags kLast = 128;
+/// MaskEntry that is the last: 1 less the mask.
+inline constexpr OperationFlags kInvertMask = 256;
 
 struct Operation {
     OpCode code = OpCode::Blend;

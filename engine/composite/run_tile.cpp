@@ -41,37 +41,25 @@ class Runner {
     FetchedSource adjusted(const Operation& operation);
     void look_around(const Operation& operation, const AdjustTask& task);
     void recode(const Operation& operation);
+    FetchedSource blend_source(const Operation& operation);
     FetchedSource child_source(const Operation& operation);
     ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
+    TileBlocks blocks_of(const Operation& operation);
     void blend(const Operation& operation, const FetchedSource& source);
+    FetchTarget scratch() { return {planes_.source(0), planes_.source(1), planes_.source(2)}; }
     const SourceRecord& source_of(const Operation& operation) const {
         return program_.sources[static_cast<std::size_t>(operation.source)];
     }
-    /// `depth`: of the operation that reads the source.
-    FetchedSource fetch(std::int32_t source, int depth, float* first_plane) {
-        const auto index = static_cast<std::size_t>(source);
-        if (program_.sources[index].around >= 0) return fetch_relief(index, first_plane);
-        float* const target[3] = {first_plane, planes_.source(1), planes_.source(2)};
-        if (program_.sources[index].reference >= 0)
-            return fetch_reference(program_.sources[index], depth + 1, target);
-        const SourceRecord& record = program_.sources[index];
-        return fetch_source(
-            {.record = &record,
-             .image = &run_.images->sources[index],
-             .texels = {program_.surface.get(), run_.images->surface_map.get()},
-             .chosen_parts = record.choice < 0
-                                 ? nullptr
-                                 : &program_.chosen_parts[static_cast<std::size_t>(record.choice)]},
-            span_, target, planes_);
+    /// @param target   planes that may be overwritten
+    /// @param accepts  texels that may be given as they are stored
+    FetchedSource fetch(const Operation& operation, const FetchTarget& target,
+                        const AcceptsStored& accepts = nullptr) {
+        return fetch(operation.source, operation.depth, target, accepts);
     }
-    FetchedSource fetch_relief(std::size_t source, float* to) {
-        const SourceRecord& record = program_.sources[source];
-        patina::fetch_relief(*(*run_.around)[static_cast<std::size_t>(record.around)],
-                             std::get<ReliefSource>(record.source), span_, to);
-        return {{{.data = to}, {}, {}}, uniform_one()};
-    }
-
-    FetchedSource fetch_reference(const SourceRecord& record, int depth, float* const target[3]);
+    FetchedSource fetch(std::int32_t source, int depth, const FetchTarget& target,
+                        const AcceptsStored& accepts = nullptr);
+    FetchedSource fetch_relief(const SourceRecord& record, float* to);
+    FetchedSource fetch_reference(const SourceRecord& record, int depth, const FetchTarget& target);
 
     const TileRun& run_;
     const ProgramData& program_;
@@ -155,17 +143,14 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
     switch (operation.code) {
         case OpCode::MaskBegin:
             fill_tile(planes_.mask(operation.depth), operation.amount, span_.count);
+            planes_.masked_blocks(operation.depth) = all_blocks(span_.count);
             break;
         case OpCode::MaskEntry:
             join_mask(operation);
-            break;
-        case OpCode::MaskEnd: {
-            const bool invert = (operation.flags & kInvert) != 0;
-            const bool any = finish_mask_tile(planes_.mask(operation.depth), invert, span_.count);
-            if (!any && !run_.observer && may_jump(operation, next))
+            if ((operation.flags & kLast) != 0 && planes_.masked_blocks(operation.depth) == 0 &&
+                !run_.observer && may_jump(operation, next))
                 return static_cast<std::size_t>(operation.jump);
             break;
-        }
         case OpCode::MaskKeep:
             copy_tile(planes_.mask(operation.depth), planes_.kept_mask(operation.depth),
                       span_.count);
@@ -184,7 +169,7 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             recode(operation);
             break;
         case OpCode::Blend:
-            blend(operation, fetch(operation.source, operation.depth, planes_.source(0)));
+            blend(operation, blend_source(operation));
             break;
         case OpCode::Adjust:
             blend(operation, adjusted(operation));
@@ -220,24 +205,27 @@ const Levels* Runner::levels_of(const Operation& operation) const {
 
 void Runner::join_mask(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
-    const Levels* const levels = levels_of(operation);
     float* const mask = planes_.mask(operation.depth);
     const FetchedSource source =
-        fetch(operation.source, operation.depth, first ? mask : planes_.source(0));
-    ReadPlane entry = source.components[0];
+        fetch(operation, {first ? mask : planes_.source(0), planes_.source(1), planes_.source(2)},
+              mask_reads_stored);
+    MaskTask task{.mask = mask,
+                  .blocks = planes_.masked_blocks(operation.depth),
+                  .source = source.components[0],
+                  .stored = source.stored,
+                  .combine = operation.combine,
+                  .opacity = operation.amount,
+                  .first = first,
+                  .invert = (operation.flags & kInvert) != 0,
+                  .levels = levels_of(operation),
+                  .last = (operation.flags & kLast) != 0,
+                  .invert_mask = (operation.flags & kInvertMask) != 0,
+                  .count = span_.count};
     if (source_of(operation).reference >= 0 && source.coverage.step != 0) {
-        multiply_tile(entry, source.coverage, planes_.source(1), span_.count);
-        entry = {.data = planes_.source(1)};
+        multiply_tile(task.source, source.coverage, planes_.source(1), span_.count);
+        task.source = {.data = planes_.source(1)};
     }
-    if (entry.data == mask && levels == nullptr && (operation.flags & kInvert) == 0) return;
-    join_mask_tile({.mask = mask,
-                    .source = entry,
-                    .combine = operation.combine,
-                    .opacity = operation.amount,
-                    .first = first,
-                    .invert = (operation.flags & kInvert) != 0,
-                    .levels = levels,
-                    .count = span_.count});
+    planes_.masked_blocks(operation.depth) = join_mask_tile(task);
 }
 
 /// What the height channel covers at a depth; the stack itself is opaque.
@@ -261,7 +249,7 @@ void Runner::share_by_height(const Operation& operation) {
         task.own = {.data = planes_.channel(depth + 1, Channel::Height)};
         task.own_coverage = height_coverage(depth + 1);
     } else if (record.source >= 0) {
-        const FetchedSource source = fetch(record.source, depth, planes_.source(0));
+        const FetchedSource source = fetch(record.source, depth, scratch());
         task.own = source.components[0];
         task.own_coverage = source.coverage;
     }
@@ -295,9 +283,33 @@ void Runner::copy_group(const Operation& operation) {
     }
 }
 
+/// `depth`: of the operation that reads the source.
+FetchedSource Runner::fetch(std::int32_t source, int depth, const FetchTarget& target,
+                            const AcceptsStored& accepts) {
+    const auto index = static_cast<std::size_t>(source);
+    const SourceRecord& record = program_.sources[index];
+    if (record.around >= 0) return fetch_relief(record, target[0]);
+    if (record.reference >= 0) return fetch_reference(record, depth + 1, target);
+    const bool chosen = record.choice >= 0;
+    return fetch_source(
+        {.record = &record,
+         .image = &run_.images->sources[index],
+         .texels = {program_.surface.get(), run_.images->surface_map.get()},
+         .chosen_parts =
+             chosen ? &program_.chosen_parts[static_cast<std::size_t>(record.choice)] : nullptr,
+         .accepts = accepts},
+        span_, target, planes_);
+}
+
+FetchedSource Runner::fetch_relief(const SourceRecord& record, float* to) {
+    patina::fetch_relief(*(*run_.around)[static_cast<std::size_t>(record.around)],
+                         std::get<ReliefSource>(record.source), span_, to);
+    return {{{.data = to}, {}, {}}, uniform_one()};
+}
+
 /// What a layer that is referred to left at `depth`, as the source is read.
 FetchedSource Runner::fetch_reference(const SourceRecord& record, int depth,
-                                      float* const target[3]) {
+                                      const FetchTarget& target) {
     const ReferenceRecord& reference =
         program_.references[static_cast<std::size_t>(record.reference)];
     const Channel channel = reference.channel;
@@ -307,7 +319,7 @@ FetchedSource Runner::fetch_reference(const SourceRecord& record, int depth,
         for (int k = 0; k < 3; ++k) source.components[k] = {planes_.channel(depth, channel, k)};
         if (is_vector(record.reading)) return source;
         for (int k = 0; k < 3; ++k) copy_tile(source.components[k].data, target[k], span_.count);
-        adjust_tile({.luminance = true}, 3, target, span_.count);
+        adjust_tile({.luminance = true}, 3, target.data(), span_.count);
         return {{{.data = target[0]}, {}, {}}, source.coverage};
     }
     ReadPlane value = reference.of_mask ? covered : ReadPlane{planes_.channel(depth, channel)};
@@ -315,7 +327,7 @@ FetchedSource Runner::fetch_reference(const SourceRecord& record, int depth,
     const bool encode = record.reading == Reading::EncodedColor;
     if (hold || encode) {
         copy_tile(value.data, target[0], span_.count);
-        adjust_tile({.hold = hold, .encode = encode}, 1, target, span_.count);
+        adjust_tile({.hold = hold, .encode = encode}, 1, target.data(), span_.count);
         value = {.data = target[0]};
     }
     for (ReadPlane& component : source.components) component = value;
@@ -367,6 +379,22 @@ void Runner::recode(const Operation& operation) {
                                         : decode_tile(color, span_.count);
 }
 
+/// The source of a blend: read where it is to lie if it replaces the accumulator, and as it is
+/// stored where the blend reads it so.
+FetchedSource Runner::blend_source(const Operation& operation) {
+    const bool opaque = operation.depth == 0;
+    if (!opaque || run_.observer) return fetch(operation, scratch());
+    if ((operation.flags & kFirst) == 0)
+        return fetch(operation, scratch(), [&](const StoredTexels& texels) {
+            return blends_stored(operation.channel, operation.mode, texels);
+        });
+    FetchTarget target = scratch();
+    for (int k = 0; k < component_count(operation.channel); ++k)
+        target[static_cast<std::size_t>(k)] =
+            planes_.channel(operation.depth, operation.channel, k);
+    return fetch(operation, target);
+}
+
 /// The accumulators of the group's children, in the blend space of the group.
 FetchedSource Runner::child_source(const Operation& operation) {
     const int depth = operation.depth + 1;
@@ -396,11 +424,19 @@ ReadPlane Runner::weight_of(const Operation& operation, const FetchedSource& sou
     return {.data = planes_.weight()};
 }
 
+/// The blocks in which a blend may change something.
+TileBlocks Runner::blocks_of(const Operation& operation) {
+    const bool masked = (operation.flags & kUsesMask) != 0;
+    return masked ? planes_.masked_blocks(operation.depth) : all_blocks(span_.count);
+}
+
 void Runner::blend(const Operation& operation, const FetchedSource& source) {
     BlendTask task{.channel = operation.channel,
                    .mode = operation.mode,
                    .first = (operation.flags & kFirst) != 0,
                    .count = span_.count,
+                   .blocks = blocks_of(operation),
+                   .stored = source.stored,
                    .weight = weight_of(operation, source),
                    .source_coverage = source.coverage,
                    .amount = operation.amount};

@@ -3,11 +3,17 @@
 
 /// Evaluating a source over one tile: constant, image, procedural or parts of the model.
 
+#include <array>
+#include <functional>
+
 #include "composite/bound_images.h"
 #include "composite/surface_sources.h"
 #include "composite/tile.h"
 
 namespace patina {
+
+/// Whether what reads a source takes such texels as they are stored.
+using AcceptsStored = std::function<bool(const StoredTexels&)>;
 
 /// What a source is read from.
 struct SourceFetch {
@@ -15,11 +21,15 @@ struct SourceFetch {
     const BoundImage* image = nullptr;
     SurfaceTexels texels = {};
     const std::vector<std::uint8_t>* chosen_parts = nullptr;  ///< of a GeometrySource
+    AcceptsStored accepts = nullptr;                          ///< null: planes alone
 };
+/// Planes that may be overwritten; those of a scalar beyond the first hold nothing afterwards.
+using FetchTarget = std::array<float*, 3>;
+
 /// Any source but relief, for which the run has to look around.
-/// @param target  planes that may be overwritten, and hold the components unless they are constant
+/// @param target  where the components lie afterwards unless they are constant or stored
 /// @param planes  scratch: the plane of the source's coverage is overwritten
-FetchedSource fetch_source(const SourceFetch& from, const TileSpan& span, float* const target[3],
+FetchedSource fetch_source(const SourceFetch& from, const TileSpan& span, const FetchTarget& target,
                            TilePlanes& planes);
 
 }  // namespace patina

@@ -5,15 +5,12 @@
 /// it share. It stays in the first-level cache from the first operation to the last.
 
 #include <memory>
+#include <vector>
 
 #include "composite/operations.h"
 #include "core/pixel_memory.h"
 
 namespace patina {
-
-/// A multiple of 16, the lanes of the widest instruction set.
-inline constexpr int kTileTexels = 1024;
-inline constexpr int kMaxLanes = 16;
 
 /// Texels [x, x + count) of row y in a square map of `size` texels a side; 1 <= count <=
 /// kTileTexels. What is computed for a texel depends on its place and on `size` alone.
@@ -46,7 +43,8 @@ class TilePlanes {
   public:
     explicit TilePlanes(int depths)
         : memory_(static_cast<std::size_t>(depths * kPlanesPerDepth + kScratchPlanes) *
-                  kPlaneStride) {}
+                  kPlaneStride),
+          masked_blocks_(static_cast<std::size_t>(depths)) {}
 
     float* channel(int depth, Channel channel, int component = 0) {
         return plane(depth * kPlanesPerDepth + first_plane(channel) + component);
@@ -56,6 +54,8 @@ class TilePlanes {
         return plane(depth * kPlanesPerDepth + kComponents + static_cast<int>(channel));
     }
     float* mask(int depth) { return plane(depth * kPlanesPerDepth + kPlanesPerDepth - 1); }
+    /// The blocks outside of which the mask of this depth is 0.
+    TileBlocks& masked_blocks(int depth) { return masked_blocks_[static_cast<std::size_t>(depth)]; }
     /// The mask that MaskKeep keeps.
     float* kept_mask(int depth) { return plane(depth * kPlanesPerDepth + kPlanesPerDepth - 2); }
     /// Of the source that an operation reads: up to three components, its coverage, its weight.
@@ -88,6 +88,7 @@ class TilePlanes {
     float* plane(int index) { return memory_.data() + std::ptrdiff_t{index} * kPlaneStride; }
 
     PixelVector<float> memory_;
+    std::vector<TileBlocks> masked_blocks_;
     std::unique_ptr<SurfacePlanes> surface_;
 };
 

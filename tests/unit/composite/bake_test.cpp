@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <random>
 
+#include "composite/bake_channels.h"
 #include "composite/composite.h"
 #include "composite/random_stack.h"
 #include "composite/reference.h"
@@ -162,6 +163,74 @@ TEST(Bake, EveryModeIsThatOfTheReferenceInTheStackAndInAGroup) {
                     difference_from_reference(material, images, map, baked_map);
                 EXPECT_EQ(difference.beyond_rounding, 0)
                     << row.id << " of " << info(channel).id << ", greatest " << difference.greatest
+                    << (material.stack.back()->is_group() ? " in a group" : "");
+            }
+        }
+}
+
+bool is_banded(int x) {
+    return (x >= 50 && x < 210) || x % 7 == 3;
+}
+
+/// The uppermost layer, in the group where there is one, with one change.
+template <typename Change>
+Material with_top_changed(Material material, const Change& change) {
+    Layer top = *material.stack.back();
+    if (auto* const group = std::get_if<GroupContent>(&top.content)) {
+        Layer child = *group->children.back();
+        change(child);
+        group->children.back() = std::make_shared<const Layer>(std::move(child));
+    } else {
+        change(top);
+    }
+    material.stack.back() = std::make_shared<const Layer>(std::move(top));
+    return material;
+}
+
+/// 0 in a wide band and in every seventh column beside it.
+Image banded_mask(int size) {
+    Image image{.width = size, .height = size, .channels = 1};
+    image.data.resize(image.row_bytes() * static_cast<std::size_t>(size));
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            image.data[static_cast<std::size_t>(y * size + x)] =
+                static_cast<std::byte>(is_banded(x) ? 0 : 40 + x / 2);
+    return image;
+}
+
+/// The first row of a channel's first component.
+std::vector<float> first_row(const Material& material, Channel channel, ImageTable& images,
+                             int size) {
+    const auto planes = bake_channels(Program::compile(material), images, size, {channel}).value();
+    const PixelVector<float>& plane = planes.plane(channel);
+    return {plane.begin(), plane.begin() + size};
+}
+
+/// Blocks that a mask leaves empty are not run, and texels beside them that it leaves empty are:
+/// either way the layer changes no bit of theirs.
+TEST(Bake, EveryModeKeepsTheBitsOfTexelsThatTheMaskLeavesOut) {
+    const int size = 320;
+    ImageTable images;
+    const MaskEntry entry{
+        .id = {9},
+        .source = ImageSource{.image = images.add(banded_mask(size)), .pick = ChannelPick::Red}};
+    const auto masked = [&](Layer& layer) { layer.mask.entries = {entry}; };
+    const auto hidden = [](Layer& layer) { layer.visible = false; };
+    for (const BlendModeInfo& row : kBlendModes)
+        for (const Channel channel :
+             {Channel::BaseColor, Channel::Roughness, Channel::Normal, Channel::Height}) {
+            if (!applies_to(row.mode, channel)) continue;
+            for (const Material& material : stacks_with(row.mode, channel, images)) {
+                std::vector<float> with =
+                    first_row(with_top_changed(material, masked), channel, images, size);
+                const std::vector<float> without =
+                    first_row(with_top_changed(material, hidden), channel, images, size);
+                EXPECT_NE(with, without) << row.id << " of " << info(channel).id;
+                for (int x = 0; x < size; ++x)
+                    if (!is_banded(x))
+                        with[static_cast<std::size_t>(x)] = without[static_cast<std::size_t>(x)];
+                EXPECT_EQ(with, without)
+                    << row.id << " of " << info(channel).id
                     << (material.stack.back()->is_group() ? " in a group" : "");
             }
         }
