@@ -14,6 +14,9 @@ namespace {
 /// Rows that one task takes: enough that the two rows of heights beyond them are a small part.
 constexpr int kRowsPerTask = 16;
 
+/// Maps from this side on do not stay in the caches until someone reads them.
+constexpr int kLargeMapSide = 2048;
+
 int wrapped(int index, int size) {
     return (index + size) % size;
 }
@@ -144,6 +147,7 @@ void write(const CompositeJob& job, BakedMap map, const TileSpan& span, TilePlan
     };
     OutputTask task{.components = {{}, {}, {}, uniform_one()},
                     .count = span.count,
+                    .to_memory = job.size >= kLargeMapSide,
                     .rgba = reinterpret_cast<std::uint8_t*>(target + 4 * texel)};
     const auto set_color = [&](Channel channel) {
         for (int k = 0; k < 3; ++k) task.components[k] = plane(channel, k);

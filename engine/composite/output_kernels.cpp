@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "composite/output_kernels.h"
 
+#include <hwy/cache_control.h>
+
 #include "composite/kernel_targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -49,27 +51,40 @@ HWY_INLINE Uint rgba_at(const OutputTask& task, std::size_t i) {
            (byte_of(load(task.components[3], i)) << 24);
 }
 
-template <OutputEncoding kEncoding>
+template <OutputEncoding kEncoding, bool kToMemory>
 HWY_NOINLINE HWY_FLATTEN void write_rgba(const OutputTask& task) {
     const std::size_t count = static_cast<std::size_t>(task.count);
     auto* const texels = reinterpret_cast<std::uint32_t*>(task.rgba);
     std::size_t i = 0;
-    for (; i + lane_count() <= count; i += lane_count())
-        hn::StoreU(rgba_at<kEncoding>(task, i).lanes, UintLanes(), texels + i);
+    for (; i + lane_count() <= count; i += lane_count()) {
+        const Uint rgba = rgba_at<kEncoding>(task, i);
+        if constexpr (kToMemory)
+            hn::Stream(rgba.lanes, UintLanes(), texels + i);
+        else
+            hn::StoreU(rgba.lanes, UintLanes(), texels + i);
+    }
+    if (kToMemory) hwy::FlushStream();
     if (i == count) return;
     alignas(64) std::uint32_t last[16];
     hn::StoreU(rgba_at<kEncoding>(task, i).lanes, UintLanes(), last);
     __builtin_memcpy(texels + i, last, (count - i) * sizeof(std::uint32_t));
 }
 
+template <OutputEncoding kEncoding>
+void write_encoded(const OutputTask& task) {
+    const bool aligned = reinterpret_cast<std::uintptr_t>(task.rgba) % 64 == 0;
+    task.to_memory&& aligned ? write_rgba<kEncoding, true>(task)
+                             : write_rgba<kEncoding, false>(task);
+}
+
 void write_by_encoding(const OutputTask& task) {
     switch (task.encoding) {
         case OutputEncoding::AsIs:
-            return write_rgba<OutputEncoding::AsIs>(task);
+            return write_encoded<OutputEncoding::AsIs>(task);
         case OutputEncoding::LinearColor:
-            return write_rgba<OutputEncoding::LinearColor>(task);
+            return write_encoded<OutputEncoding::LinearColor>(task);
         case OutputEncoding::Normal:
-            return write_rgba<OutputEncoding::Normal>(task);
+            return write_encoded<OutputEncoding::Normal>(task);
     }
 }
 

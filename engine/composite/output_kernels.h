@@ -19,6 +19,7 @@ struct OutputTask {
     OutputEncoding encoding = OutputEncoding::AsIs;
     ReadPlane components[4] = {};  ///< red, green, blue, alpha
     int count = 0;
+    bool to_memory = false;        ///< past the caches: nobody reads it back from there
     std::uint8_t* rgba = nullptr;  ///< 4 `count` bytes; each value is held to 0..1 and rounded
 };
 void write_tile(const OutputTask& task);

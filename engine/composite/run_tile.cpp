@@ -104,9 +104,14 @@ std::size_t Runner::refer(const Operation& operation, std::size_t next) {
     return past;
 }
 
+/// Where the stack starts, but for channels that a cache gives at once.
 void Runner::fill_bottom() {
+    ChannelBits filled = run_.wanted;
+    for (const CachePoint& point : run_.caches)
+        if (point.read && point.place.begin == 0 && point.place.depth == 0)
+            filled &= static_cast<ChannelBits>(~point.cache->channels());
     for (const ChannelInfo& entry : kChannels) {
-        if ((run_.wanted & channel_bit(entry.channel)) == 0) continue;
+        if ((filled & channel_bit(entry.channel)) == 0) continue;
         const glm::vec3& bottom = at(program_.bottom, entry.channel);
         for (int k = 0; k < component_count(entry.channel); ++k)
             fill_tile(planes_.channel(0, entry.channel, k), bottom[k], span_.count);
