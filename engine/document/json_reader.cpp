@@ -208,6 +208,13 @@ std::vector<std::string> JsonObject::texts(std::string_view key) {
     return result;
 }
 
+const Json* JsonObject::find_list(std::string_view key, std::size_t at_most) {
+    const Json* value = find(key);
+    if (value == nullptr || (value->is_array() && value->size() <= at_most)) return value;
+    fault(key, fmt::format("is not a list of at most {} {}", at_most, key));
+    return nullptr;
+}
+
 Hash128 JsonObject::required_hash(std::string_view key) {
     if (!require(key)) return {};
     const std::optional<Hash128> hash = hash_from_hex(text(key));

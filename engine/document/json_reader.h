@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/hash.h"
@@ -67,6 +68,19 @@ class JsonObject {
     glm::vec2 vector2(std::string_view key, Parameter parameter, const glm::vec2& standard);
     glm::vec3 vector3(std::string_view key, Parameter parameter, const glm::vec3& standard);
 
+    /// What `read(element, its pointer, faults)` makes of each element of a list that may be absent;
+    /// nothing, and a fault, where the member is something else or holds more than `at_most`.
+    template <typename Read>
+    auto list(std::string_view key, std::size_t at_most, const Read& read) {
+        std::vector<std::invoke_result_t<Read, const Json&, std::string, JsonFaults&>> elements;
+        const Json* json = find_list(key, at_most);
+        if (json == nullptr) return elements;
+        for (std::size_t i = 0; i < json->size(); ++i)
+            elements.push_back(
+                read((*json)[i], pointer_to(key) + '/' + std::to_string(i), faults_));
+        return elements;
+    }
+
     template <typename Enumeration>
     Enumeration choice(std::string_view key, Enumeration standard) {
         const Json* value = find(key);
@@ -83,6 +97,7 @@ class JsonObject {
     void finish();
 
   private:
+    const Json* find_list(std::string_view key, std::size_t at_most);
     static std::string ids_of(std::span<const Choice> table);
     std::vector<float> numbers(std::string_view key, Parameter parameter, std::size_t count);
 

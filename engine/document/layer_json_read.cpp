@@ -294,16 +294,7 @@ Mask read_mask(JsonObject& parent) {
     mask.enabled = object.boolean("enabled", mask.enabled);
     mask.invert = object.boolean("invert", mask.invert);
     mask.base = object.number("base", Parameter::MaskBase, mask.base);
-    if (const Json* entries = object.find("entries")) {
-        if (!entries->is_array() || entries->size() > std::size_t{kMaxMaskEntries})
-            object.fault("entries",
-                         fmt::format("is not a list of at most {} entries", kMaxMaskEntries));
-        else
-            for (std::size_t i = 0; i < entries->size(); ++i)
-                mask.entries.push_back(read_entry((*entries)[i],
-                                                  fmt::format("{}/entries/{}", object.pointer(), i),
-                                                  object.faults()));
-    }
+    mask.entries = object.list("entries", kMaxMaskEntries, read_entry);
     object.finish();
     return mask;
 }

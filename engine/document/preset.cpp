@@ -55,20 +55,6 @@ PresetImage read_preset_image(const Json& json, const std::string& pointer, Json
     return image;
 }
 
-std::vector<PresetImage> read_images(JsonObject& object) {
-    std::vector<PresetImage> images;
-    const Json* json = object.find("images");
-    if (!json) return images;
-    if (!json->is_array() || json->size() > kMaxPresetImages) {
-        object.fault("images", fmt::format("is not a list of at most {} images", kMaxPresetImages));
-        return images;
-    }
-    for (std::size_t i = 0; i < json->size(); ++i)
-        images.push_back(
-            read_preset_image((*json)[i], fmt::format("/images/{}", i), object.faults()));
-    return images;
-}
-
 KnobTarget read_target(const Json& json, const std::string& pointer, JsonFaults& faults) {
     JsonObject object(json, pointer, faults);
     KnobTarget target;
@@ -92,28 +78,11 @@ PresetKnob read_knob(const Json& json, const std::string& pointer, JsonFaults& f
         object.fault("id", "is not made of lower-case letters, digits and hyphens");
     knob.name = read_text("name", object);
     knob.value = object.number("value", Parameter::ScalarValue, knob.value);
-    const Json* targets = object.require("targets");
-    if (targets && (!targets->is_array() || targets->empty() || targets->size() > kMaxKnobTargets))
-        object.fault("targets", fmt::format("is not a list of 1 to {} targets", kMaxKnobTargets));
-    else if (targets)
-        for (std::size_t i = 0; i < targets->size(); ++i)
-            knob.targets.push_back(
-                read_target((*targets)[i], fmt::format("{}/targets/{}", pointer, i), faults));
+    object.require("targets");
+    knob.targets = object.list("targets", kMaxKnobTargets, read_target);
+    if (knob.targets.empty()) object.fault("targets", "holds no target");
     object.finish();
     return knob;
-}
-
-std::vector<PresetKnob> read_knobs(JsonObject& object) {
-    std::vector<PresetKnob> knobs;
-    const Json* json = object.find("knobs");
-    if (!json) return knobs;
-    if (!json->is_array() || json->size() > kMaxKnobs) {
-        object.fault("knobs", fmt::format("is not a list of at most {} knobs", kMaxKnobs));
-        return knobs;
-    }
-    for (std::size_t i = 0; i < json->size(); ++i)
-        knobs.push_back(read_knob((*json)[i], fmt::format("/knobs/{}", i), object.faults()));
-    return knobs;
 }
 
 /// Both ends of every knob have to make layers that can be laid on.
@@ -154,8 +123,8 @@ Result<Preset> read_preset(std::string_view text) {
         return failure("made for a newer Patina (format {}, this one reads up to {})", format,
                        kPresetFormat);
     Preset preset = read_description(object);
-    preset.knobs = read_knobs(object);
-    preset.images = read_images(object);
+    preset.knobs = object.list("knobs", kMaxKnobs, read_knob);
+    preset.images = object.list("images", kMaxPresetImages, read_preset_image);
     if (const Json* layers = object.require("layers"))
         preset.layers = layers_from_json(*layers, "/layers", faults);
     object.finish();

@@ -104,20 +104,6 @@ RecordImage read_record_image(const Json& json, const std::string& pointer, Json
     return image;
 }
 
-std::vector<RecordImage> read_record_images(JsonObject& parent) {
-    std::vector<RecordImage> images;
-    const Json* json = parent.find("images");
-    if (!json) return images;
-    if (!json->is_array() || json->size() > kMaxImages) {
-        parent.fault("images", fmt::format("is not a list of at most {} images", kMaxImages));
-        return images;
-    }
-    for (std::size_t i = 0; i < json->size(); ++i)
-        images.push_back(read_record_image(
-            (*json)[i], fmt::format("{}/images/{}", parent.pointer(), i), parent.faults()));
-    return images;
-}
-
 std::map<std::string, Hash128> read_baked(JsonObject& parent) {
     std::map<std::string, Hash128> baked;
     const Json* json = parent.find("baked");
@@ -187,17 +173,8 @@ Light read_light(const Json& json, const std::string& pointer, JsonFaults& fault
 }
 
 std::optional<std::vector<Light>> read_lights(JsonObject& parent) {
-    const Json* json = parent.find("lights");
-    if (!json) return std::nullopt;
-    std::vector<Light> lights;
-    if (!json->is_array() || json->size() > std::size_t{kMaxLights}) {
-        parent.fault("lights", fmt::format("is not a list of at most {} lights", kMaxLights));
-        return lights;
-    }
-    for (std::size_t i = 0; i < json->size(); ++i)
-        lights.push_back(read_light((*json)[i], fmt::format("{}/lights/{}", parent.pointer(), i),
-                                    parent.faults()));
-    return lights;
+    if (!parent.has("lights")) return std::nullopt;
+    return parent.list("lights", kMaxLights, read_light);
 }
 
 }  // namespace
@@ -311,7 +288,7 @@ Result<MaterialRecord> material_record_from_json(std::string_view text) {
     const bool has_stack = record.stands_for == MaterialId{};
     if (const Json* stack = has_stack ? object.require("stack") : nullptr)
         record.stack = layers_from_json(*stack, "/stack", faults);
-    record.images = read_record_images(object);
+    record.images = object.list("images", kMaxImages, read_record_image);
     record.baked = read_baked(object);
     record.owned_images = read_owned_images(object);
     object.finish();
