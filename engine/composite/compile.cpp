@@ -21,6 +21,7 @@ constexpr ChannelBits kColorChannels =
 struct StackState {
     ChannelBits encoded = 0;
     ChannelBits touched = 0;
+    ChannelBits opaque = 0;     ///< channels that are covered in every texel
     bool has_backdrop = false;  ///< of a group: it started from what lies below it
     Hash128 hash;
 
@@ -90,12 +91,20 @@ bool is_identity(const Levels& levels) {
     return levels == Levels{};
 }
 
+/// Whether the contribution may leave clear what was covered.
+bool may_clear(const Contribution& contribution, ChannelBits bit, const StackState& children) {
+    if (contribution.mode != BlendMode::Replace || contribution.covers) return false;
+    return (children.opaque & bit) == 0;
+}
+
 StackState Emitter::emit_stack(const StackTerms& terms, int depth, const StackState* backdrop) {
     StackState state;
     Hasher start;
     start.add(std::string_view(depth == 0 ? "stack" : "group"));
+    if (depth == 0) state.opaque = kAllChannels;
     if (backdrop != nullptr) {
         state.encoded = backdrop->encoded;
+        state.opaque = backdrop->opaque;
         state.has_backdrop = true;
         start.add(backdrop->hash);
     }
@@ -143,8 +152,11 @@ void Emitter::emit_layer(const LayerTerms& terms, int depth, StackState& state) 
     const auto lay_on = [&](Channel channel) {
         const auto& contribution = at(terms.channels, channel);
         if (!contribution) return;
+        const ChannelBits bit = channel_bit(channel);
+        if (contribution->covers) state.opaque |= bit;
+        if (may_clear(*contribution, bit, children)) state.opaque &= static_cast<ChannelBits>(~bit);
         emit_blend(*contribution, channel, like, state, children);
-        state.touched |= channel_bit(channel);
+        state.touched |= bit;
     };
     for (const ChannelInfo& entry : kChannels)
         if (entry.channel != Channel::Height) lay_on(entry.channel);
@@ -285,7 +297,10 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
     like.mode = contribution.mode;
     like.amount = contribution.weight;
     if (encoded) like.flags |= kEncoded;
-    if (contribution.covers || (like.depth > 0 && !state.holds(bit))) like.flags |= kFirst;
+    if (contribution.covers || (like.depth > 0 && !state.holds(bit)))
+        like.flags |= kFirst;
+    else if (like.depth > 0 && (state.opaque & bit) != 0)
+        like.flags |= kOpaque;
     if (contribution.adjustment != nullptr) {
         like.code = OpCode::Adjust;
         like.source = static_cast<std::int32_t>(program_.adjustments.size());

@@ -83,6 +83,8 @@ inline constexpr OperationFlags kEncoded = 16;
 inline constexpr OperationFlags kChildEncoded = 32;
 /// Of a layer that is referred to: no step of the stack that `explain` shows.
 inline constexpr OperationFlags kReferred = 64;
+/// Inside a group: the accumulator is covered in every texel, and stays so.
+inline constexpr OperationFlags kOpaque = 512;
 /// MaskEntry: the mask is complete.
 inline constexpr OperationFlags kLast = 128;
 /// MaskEntry that is the last: 1 less the mask.

@@ -46,6 +46,9 @@ class Runner {
     ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
     TileBlocks blocks_of(const Operation& operation);
     void blend(const Operation& operation, const FetchedSource& source);
+    static bool is_opaque(const Operation& operation) {
+        return operation.depth == 0 || (operation.flags & kOpaque) != 0;
+    }
     FetchTarget scratch() { return {planes_.source(0), planes_.source(1), planes_.source(2)}; }
     const SourceRecord& source_of(const Operation& operation) const {
         return program_.sources[static_cast<std::size_t>(operation.source)];
@@ -387,9 +390,9 @@ void Runner::recode(const Operation& operation) {
 /// The source of a blend: read where it is to lie if it replaces the accumulator, and as it is
 /// stored where the blend reads it so.
 FetchedSource Runner::blend_source(const Operation& operation) {
-    const bool opaque = operation.depth == 0;
-    if (!opaque || run_.observer) return fetch(operation, scratch());
-    if ((operation.flags & kFirst) == 0)
+    const bool first = (operation.flags & kFirst) != 0;
+    if (run_.observer || !(first || is_opaque(operation))) return fetch(operation, scratch());
+    if (!first)
         return fetch(operation, scratch(), [&](const StoredTexels& texels) {
             return blends_stored(operation.channel, operation.mode, texels);
         });
@@ -450,7 +453,7 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
         task.source[k] = source.components[k];
     }
     // An adjustment changes what is there, and covers no more than that.
-    if (operation.depth > 0 && operation.code != OpCode::Adjust)
+    if (!is_opaque(operation) && operation.code != OpCode::Adjust)
         task.target_coverage = planes_.coverage(operation.depth, operation.channel);
     blend_tile(task);
     if (run_.observer && (operation.flags & kReferred) == 0) {

@@ -68,8 +68,9 @@ class JsonObject {
     glm::vec2 vector2(std::string_view key, Parameter parameter, const glm::vec2& standard);
     glm::vec3 vector3(std::string_view key, Parameter parameter, const glm::vec3& standard);
 
-    /// What `read(element, its pointer, faults)` makes of each element of a list that may be absent;
-    /// nothing, and a fault, where the member is something else or holds more than `at_most`.
+    /// What `read(element, its pointer, faults)` makes of each element of a list that may be
+    /// absent; nothing, and a fault, where the member is something else or holds more than
+    /// `at_most`.
     template <typename Read>
     auto list(std::string_view key, std::size_t at_most, const Read& read) {
         std::vector<std::invoke_result_t<Read, const Json&, std::string, JsonFaults&>> elements;

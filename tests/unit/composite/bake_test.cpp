@@ -236,6 +236,26 @@ TEST(Bake, EveryModeKeepsTheBitsOfTexelsThatTheMaskLeavesOut) {
         }
 }
 
+/// A group whose lowest layer covers all is as opaque as the stack: its layers blend as they do
+/// there, to the last bit.
+TEST(Bake, EveryModeInACoveredGroupGivesTheBitsThatItGivesInTheStack) {
+    for (const BlendModeInfo& row : kBlendModes)
+        for (const Channel channel :
+             {Channel::BaseColor, Channel::Roughness, Channel::Normal, Channel::Height}) {
+            // What replaces leaves clear parts in the group, and on the stack none.
+            if (!applies_to(row.mode, channel) || row.mode == BlendMode::Replace) continue;
+            ImageTable images;
+            const auto [stack, with_group] = stacks_with(row.mode, channel, images);
+            Layer group = *with_group.stack.back();
+            group.content = GroupContent{.children = stack.stack};
+            Material grouped = stack;
+            grouped.stack = {std::make_shared<const Layer>(std::move(group))};
+            EXPECT_EQ(first_row(grouped, channel, images, 16),
+                      first_row(stack, channel, images, 16))
+                << row.id << " of " << info(channel).id;
+        }
+}
+
 /// Images of colour and of height below an adjustment of each kind that looks at its own texel (see
 /// around_test.cpp for the others), half masked; in the stack and
 /// in a group.
@@ -302,6 +322,23 @@ TEST(Bake, AGroupThatPassesThroughWholeIsAsIfThereWereNone) {
     Material grouped = plain;
     grouped.stack = {std::make_shared<const Layer>(group)};
     EXPECT_EQ(hash_of(baked(grouped, random.images, 24)), hash_of(baked(plain, random.images, 24)));
+}
+
+TEST(Bake, AGroupIsNoMoreOpaqueThanWhatReplacesInAGroupThatPassesThrough) {
+    ImageTable images;
+    const auto [stack, unused] = stacks_with(BlendMode::Replace, Channel::BaseColor, images);
+    Layer through{.id = {11}, .opacity = 0.75f, .mode = BlendMode::PassThrough};
+    at(through.channels, Channel::BaseColor) = {.enabled = true, .mode = BlendMode::PassThrough};
+    through.content = GroupContent{.children = {stack.stack.back()}};
+    Layer group{.id = {12}};
+    at(group.channels, Channel::BaseColor) = {.enabled = true, .mode = BlendMode::Normal};
+    group.content = GroupContent{
+        .children = {stack.stack.front(), std::make_shared<const Layer>(std::move(through))}};
+    Material material;
+    material.stack = {std::make_shared<const Layer>(std::move(group))};
+    const Image color = *baked(material, images, 16)[BakedMap::BaseColor];
+    EXPECT_EQ(
+        difference_from_reference(material, images, BakedMap::BaseColor, color).beyond_rounding, 0);
 }
 
 TEST(Bake, AClippedLayerIsHiddenWithTheLayerBelowAndCoversNoMoreThanIt) {
