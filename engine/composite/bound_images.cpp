@@ -85,16 +85,21 @@ int halvings_for(double texels) {
     return halvings;
 }
 
+/// Whether what is read is an sRGB-encoded colour.
+bool is_encoded(const SourceRecord& record) {
+    const auto& source = std::get<ImageSource>(record.source);
+    return source.color_space == ColorSpace::Srgb && source.pick != ChannelPick::Alpha &&
+           record.reading != Reading::Normal;
+}
+
 /// What is done to the numbers of an image once they lie in planes. `filtered`: invert and decode
 /// were done to each tap.
 Adjustment adjustment_of(const SourceRecord& record, const Image& image,
                          const Components& components, bool filtered) {
     const auto& source = std::get<ImageSource>(record.source);
     const bool normal = record.reading == Reading::Normal;
-    const bool encoded =
-        source.color_space == ColorSpace::Srgb && source.pick != ChannelPick::Alpha;
     Adjustment adjustment{.invert = source.invert && !filtered,
-                          .decode = encoded && !normal && !filtered,
+                          .decode = is_encoded(record) && !filtered,
                           .unpack = normal,
                           .flip_y = normal && source.directx_normal,
                           .normalise = normal,
@@ -119,8 +124,7 @@ ImageReading image_reading(const SourceRecord& record, const BoundImage& bound) 
     const bool filtered = !bound.texel_for_texel || !there;
     reading.adjustment = adjustment_of(record, *bound.image, reading.components, filtered);
     if (filtered) {
-        reading.decode = source.color_space == ColorSpace::Srgb &&
-                         source.pick != ChannelPick::Alpha && record.reading != Reading::Normal;
+        reading.decode = is_encoded(record);
         return reading;
     }
     reading.decode = bytes && reading.adjustment.decode && !reading.adjustment.invert;
@@ -143,7 +147,7 @@ BoundImage bound_image(const SourceRecord& record, const Hash128& hash, const Im
     return bound;
 }
 
-BoundImage placeholder(const SourceRecord& record) {
+BoundImage bound_placeholder(const SourceRecord& record) {
     BoundImage bound{.image = placeholder_image(), .placeholder = true};
     bound.reading = image_reading(record, bound);
     return bound;
@@ -166,7 +170,7 @@ BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size
         const bool there = fetched[index].has_value() && *fetched[index] != nullptr;
         bound.sources.back() =
             there ? bound_image(record, program.images[index], *fetched[index], size, reduced)
-                  : placeholder(record);
+                  : bound_placeholder(record);
     }
     const std::vector<bool> needed = needed_images(program, wanted);
     for (std::size_t i = 0; i < needed.size(); ++i)

@@ -275,7 +275,6 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
         if (first && entry == &lowest) join.flags |= kFirst;
         if (entry->invert) join.flags |= kInvert;
         if (!is_identity(entry->levels)) {
-            join.flags |= kLevels;
             program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
             program_.levels.push_back(entry->levels);
         }

@@ -75,20 +75,18 @@ inline constexpr OperationFlags kUsesMask = 1;
 inline constexpr OperationFlags kFirst = 2;
 /// MaskEntry: 1 less the entry.
 inline constexpr OperationFlags kInvert = 4;
-/// MaskEntry: levels differ from the identity.
-inline constexpr OperationFlags kLevels = 8;
 /// Colours are sRGB-encoded while this blends.
-inline constexpr OperationFlags kEncoded = 16;
+inline constexpr OperationFlags kEncoded = 8;
 /// BlendGroup: the colour that the group accumulated is sRGB-encoded.
-inline constexpr OperationFlags kChildEncoded = 32;
+inline constexpr OperationFlags kChildEncoded = 16;
 /// Of a layer that is referred to: no step of the stack that `explain` shows.
-inline constexpr OperationFlags kReferred = 64;
-/// Inside a group: the accumulator is covered in every texel, and stays so.
-inline constexpr OperationFlags kOpaque = 512;
+inline constexpr OperationFlags kReferred = 32;
 /// MaskEntry: the mask is complete.
-inline constexpr OperationFlags kLast = 128;
+inline constexpr OperationFlags kLast = 64;
 /// MaskEntry that is the last: 1 less the mask.
-inline constexpr OperationFlags kInvertMask = 256;
+inline constexpr OperationFlags kInvertMask = 128;
+/// Inside a group: the accumulator is covered in every texel, and stays so.
+inline constexpr OperationFlags kOpaque = 256;
 
 struct Operation {
     OpCode code = OpCode::Blend;
