@@ -9,17 +9,11 @@
 #define HWY_TARGET_INCLUDE "composite/adjust_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/plane_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
-
-using formulae::lane_count;
-using formulae::load;
-using formulae::Real;
-using formulae::Real3;
-using formulae::store;
 
 formulae::Curve curve_of(const AdjustNumbers& numbers) {
     formulae::Curve curve = {};
@@ -81,12 +75,8 @@ HWY_NOINLINE HWY_FLATTEN void adjust_simply(const AdjustNumbers& n, const float*
 HWY_NOINLINE HWY_FLATTEN void adjust_hue(const AdjustNumbers& n, const float* const* from,
                                          float* const* to, int count) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count()) {
-        const Real3 color(load(from[0] + i), load(from[1] + i), load(from[2] + i));
-        const Real3 changed =
-            formulae::hue_saturation(color, n.hue_sixths, n.saturation, n.lightness);
-        store(changed.x, to[0] + i);
-        store(changed.y, to[1] + i);
-        store(changed.z, to[2] + i);
+        const Real3 color = load(from, i);
+        store(formulae::hue_saturation(color, n.hue_sixths, n.saturation, n.lightness), to, i);
     }
 }
 
@@ -94,11 +84,8 @@ HWY_NOINLINE HWY_FLATTEN void map_colors(const AdjustNumbers& n, const float* co
                                          float* const* to, int count) {
     const formulae::Ramp ramp = gradient_of(n);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count()) {
-        const Real3 color(load(from[0] + i), load(from[1] + i), load(from[2] + i));
-        const Real3 mapped = formulae::ramp_color(ramp, formulae::luminance(color));
-        store(mapped.x, to[0] + i);
-        store(mapped.y, to[1] + i);
-        store(mapped.z, to[2] + i);
+        const Real3 color = load(from, i);
+        store(formulae::ramp_color(ramp, formulae::luminance(color)), to, i);
     }
 }
 

@@ -7,19 +7,14 @@
 #define HWY_TARGET_INCLUDE "composite/around_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/plane_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using formulae::lane_count;
-using formulae::load;
-using formulae::Real;
 using formulae::Real2;
-using formulae::Real3;
-using formulae::store;
 
 /// Four runs of lanes at once, whose sums do not wait for each other.
 HWY_FLATTEN void blur(const BlurTask& task) {
@@ -57,13 +52,8 @@ HWY_FLATTEN void sharpen(float* blurred, const float* own, float amount, bool ho
 }
 
 HWY_FLATTEN void normalise(float* const* planes, int count) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count()) {
-        const Real3 unit = formulae::unit_normal(
-            Real3(load(planes[0] + i), load(planes[1] + i), load(planes[2] + i)));
-        store(unit.x, planes[0] + i);
-        store(unit.y, planes[1] + i);
-        store(unit.z, planes[2] + i);
-    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count())
+        store(formulae::unit_normal(load(planes, i)), planes, i);
 }
 
 HWY_FLATTEN void relief(int kind, const float* own, float strength, float* around, int count) {

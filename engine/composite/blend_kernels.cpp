@@ -13,10 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-using formulae::load;
-using formulae::Real3;
-using formulae::store;
-
 /// Calls `blend` with what reads the colours of the source.
 template <class Blend>
 HWY_INLINE void with_colors(const BlendTask& task, const Blend& blend) {
@@ -41,10 +37,13 @@ HWY_INLINE void with_scalars(const BlendTask& task, const Blend& blend) {
         TexelReader<std::uint8_t, 1, 0, 1>(task.stored.texels, task.stored.row_bytes, task.count));
 }
 
-HWY_INLINE void store(const Real3& values, float* const* planes, std::size_t i) {
-    store(values.x, planes[0] + i);
-    store(values.y, planes[1] + i);
-    store(values.z, planes[2] + i);
+/// Calls `at(i)` for lanes of the blocks in which the weight may be more than 0.
+template <class At>
+HWY_INLINE void for_each_lanes(const BlendTask& task, const At& at) {
+    for (TileBlocks left = task.blocks; left != 0;) {
+        const TexelRun run = take_run(left, task.count);
+        for (std::size_t i = run.begin; i < run.end; i += lane_count()) at(i);
+    }
 }
 
 HWY_INLINE Real weight_at(const BlendTask& task, std::size_t i) {
@@ -62,24 +61,20 @@ HWY_INLINE Real over_covered(Real backdrop, Real coverage, Real source, Real ble
 /// float that is stored can be a part of it.
 template <class Mode, int kComponents, bool kCovered, class Source>
 HWY_NOINLINE HWY_FLATTEN void blend_components(const BlendTask task, const Source from) {
-    for (TileBlocks left = task.blocks; left != 0;) {
-        const TexelRun run = take_run(left, task.count);
-        for (std::size_t i = run.begin; i < run.end; i += lane_count()) {
-            const Real weight = weight_at(task, i);
-            const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
-            Real source[kComponents];
-            from.load(i, source);
-            for (int k = 0; k < kComponents; ++k) {
-                const Real backdrop = load(task.target[k] + i);
-                const Real blended = Mode::blend(backdrop, source[k]);
-                store(kCovered ? over_covered(backdrop, coverage, source[k], blended, weight)
-                               : formulae::over_opaque(backdrop, blended, weight),
-                      task.target[k] + i);
-            }
-            if (kCovered)
-                store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+    for_each_lanes(task, [&](std::size_t i) {
+        const Real weight = weight_at(task, i);
+        const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
+        Real source[kComponents];
+        from.load(i, source);
+        for (int k = 0; k < kComponents; ++k) {
+            const Real backdrop = load(task.target[k] + i);
+            const Real blended = Mode::blend(backdrop, source[k]);
+            store(kCovered ? over_covered(backdrop, coverage, source[k], blended, weight)
+                           : formulae::over_opaque(backdrop, blended, weight),
+                  task.target[k] + i);
         }
-    }
+        if (kCovered) store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+    });
 }
 
 template <class Mode>
@@ -100,24 +95,19 @@ void blend_separable(const BlendTask& task) {
 /// weight, on what is below; in a group, where nothing is below the source stands by itself.
 template <class Mode, bool kCovered>
 HWY_NOINLINE HWY_FLATTEN void blend_directions(const BlendTask& task) {
-    for (TileBlocks left = task.blocks; left != 0;) {
-        const TexelRun run = take_run(left, task.count);
-        for (std::size_t i = run.begin; i < run.end; i += lane_count()) {
-            const Real weight = weight_at(task, i);
-            const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
-                                 load(task.target[2] + i));
-            const Real3 source(load(task.source[0], i), load(task.source[1], i),
-                               load(task.source[2], i));
-            Real3 result = Mode::laid(backdrop, source, weight);
-            if (kCovered) {
-                const Real coverage = load(task.target_coverage + i);
-                result = formulae::unit_normal(result * coverage +
-                                               source * (weight * (1.0f - coverage)));
-                store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
-            }
-            store(select(weight > 0.0f, result, backdrop), task.target, i);
+    for_each_lanes(task, [&](std::size_t i) {
+        const Real weight = weight_at(task, i);
+        const Real3 backdrop = load(task.target, i);
+        const Real3 source = load(task.source, i);
+        Real3 result = Mode::laid(backdrop, source, weight);
+        if (kCovered) {
+            const Real coverage = load(task.target_coverage + i);
+            result =
+                formulae::unit_normal(result * coverage + source * (weight * (1.0f - coverage)));
+            store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
         }
-    }
+        store(select(weight > 0.0f, result, backdrop), task.target, i);
+    });
 }
 
 template <class Mode>
@@ -129,29 +119,23 @@ void blend_normals(const BlendTask& task) {
 /// The pixel loop of the modes that look at a colour as a whole.
 template <class Mode, bool kCovered, class Source>
 HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask task, const Source from) {
-    for (TileBlocks left = task.blocks; left != 0;) {
-        const TexelRun run = take_run(left, task.count);
-        for (std::size_t i = run.begin; i < run.end; i += lane_count()) {
-            const Real weight = weight_at(task, i);
-            const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
-            const Real3 backdrop(load(task.target[0] + i), load(task.target[1] + i),
-                                 load(task.target[2] + i));
-            Real values[3];
-            from.load(i, values);
-            const Real3 source(values[0], values[1], values[2]);
-            const Real3 blended = Mode::blend(backdrop, source);
-            const auto laid = [&](Real below, Real own, Real mixed) {
-                return kCovered ? over_covered(below, coverage, own, mixed, weight)
-                                : formulae::over_opaque(below, mixed, weight);
-            };
-            store(
-                Real3(laid(backdrop.x, source.x, blended.x), laid(backdrop.y, source.y, blended.y),
-                      laid(backdrop.z, source.z, blended.z)),
-                task.target, i);
-            if (kCovered)
-                store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
-        }
-    }
+    for_each_lanes(task, [&](std::size_t i) {
+        const Real weight = weight_at(task, i);
+        const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
+        const Real3 backdrop = load(task.target, i);
+        Real values[3];
+        from.load(i, values);
+        const Real3 source(values[0], values[1], values[2]);
+        const Real3 blended = Mode::blend(backdrop, source);
+        const auto laid = [&](Real below, Real own, Real mixed) {
+            return kCovered ? over_covered(below, coverage, own, mixed, weight)
+                            : formulae::over_opaque(below, mixed, weight);
+        };
+        store(Real3(laid(backdrop.x, source.x, blended.x), laid(backdrop.y, source.y, blended.y),
+                    laid(backdrop.z, source.z, blended.z)),
+              task.target, i);
+        if (kCovered) store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
+    });
 }
 
 template <class Mode>
@@ -192,10 +176,7 @@ HWY_INLINE void replace_lanes(const BlendTask& task, std::size_t i) {
 }
 
 HWY_NOINLINE HWY_FLATTEN void blend_replacing(const BlendTask& task) {
-    for (TileBlocks left = task.blocks; left != 0;) {
-        const TexelRun run = take_run(left, task.count);
-        for (std::size_t i = run.begin; i < run.end; i += lane_count()) replace_lanes(task, i);
-    }
+    for_each_lanes(task, [&](std::size_t i) { replace_lanes(task, i); });
 }
 
 #define PATINA_SEPARABLE_MODE(NAME, FORMULA)                 \

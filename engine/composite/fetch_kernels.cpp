@@ -13,10 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-using formulae::load;
-using formulae::Real3;
-using formulae::store;
-
 /// kComponents of each texel, from component kFirst on.
 template <typename Sample, int kChannels, int kFirst, int kComponents, class Value>
 HWY_NOINLINE HWY_FLATTEN void read_run(const ReadTask& task) {
@@ -103,9 +99,7 @@ HWY_NOINLINE HWY_FLATTEN void adjust_three(const Adjustment& adjustment, float* 
         }
         if (adjustment.hold) value = clamp(value, 0.0f, 1.0f);
         if (adjustment.encode) value = formulae::srgb_from_linear(value);
-        store(value.x, planes[0] + i);
-        store(value.y, planes[1] + i);
-        store(value.z, planes[2] + i);
+        store(value, planes, i);
     }
 }
 

@@ -13,9 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-using formulae::load;
-using formulae::store;
-
 HWY_INLINE Real entry_of(const MaskTask& task, Real value) {
     if (task.invert) value = formulae::inverted(value);
     if (task.levels == nullptr) return value;

@@ -9,24 +9,15 @@
 #define HWY_TARGET_INCLUDE "composite/output_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/plane_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using formulae::lane_count;
-using formulae::load;
-using formulae::Real;
-using formulae::Real3;
-using formulae::store;
 using formulae::Uint;
 using formulae::UintLanes;
-
-HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
-    return load(plane.data + i * plane.step);
-}
 
 /// 0..1 to the nearest of 0..255; what is outside is held.
 HWY_INLINE Uint byte_of(Real value) {
@@ -45,8 +36,7 @@ HWY_INLINE Real3 encoded(Real3 value) {
 
 template <OutputEncoding kEncoding>
 HWY_INLINE Uint rgba_at(const OutputTask& task, std::size_t i) {
-    const Real3 color = encoded<kEncoding>(Real3(
-        load(task.components[0], i), load(task.components[1], i), load(task.components[2], i)));
+    const Real3 color = encoded<kEncoding>(load(task.components, i));
     return byte_of(color.x) | (byte_of(color.y) << 8) | (byte_of(color.z) << 16) |
            (byte_of(load(task.components[3], i)) << 24);
 }
@@ -73,8 +63,8 @@ HWY_NOINLINE HWY_FLATTEN void write_rgba(const OutputTask& task) {
 template <OutputEncoding kEncoding>
 void write_encoded(const OutputTask& task) {
     const bool aligned = reinterpret_cast<std::uintptr_t>(task.rgba) % 64 == 0;
-    task.to_memory&& aligned ? write_rgba<kEncoding, true>(task)
-                             : write_rgba<kEncoding, false>(task);
+    if (task.to_memory && aligned) return write_rgba<kEncoding, true>(task);
+    write_rgba<kEncoding, false>(task);
 }
 
 void write_by_encoding(const OutputTask& task) {
@@ -101,12 +91,8 @@ HWY_INLINE Real3 relief_normal(const ReliefTask& task, std::size_t i) {
 
 HWY_NOINLINE HWY_FLATTEN void add_relief(const ReliefTask& task) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        const Real3 detail(load(task.normal[0] + i), load(task.normal[1] + i),
-                           load(task.normal[2] + i));
-        const Real3 bent = formulae::normal_blend_rnm(relief_normal(task, i), detail);
-        store(bent.x, task.normal[0] + i);
-        store(bent.y, task.normal[1] + i);
-        store(bent.z, task.normal[2] + i);
+        const Real3 detail = load(task.normal, i);
+        store(formulae::normal_blend_rnm(relief_normal(task, i), detail), task.normal, i);
     }
 }
 

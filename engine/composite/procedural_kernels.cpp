@@ -8,22 +8,17 @@
 #define HWY_TARGET_INCLUDE "composite/procedural_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/formulae/formulae-inl.h"
+#include "composite/plane_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using formulae::lane_count;
-using formulae::load;
 using formulae::NoisePlace;
 using formulae::Octave;
 using formulae::Pattern;
-using formulae::Real;
 using formulae::Real2;
-using formulae::Real3;
-using formulae::store;
 
 formulae::Ramp ramp_of(const ProceduralTask& task) {
     formulae::Ramp ramp;
@@ -472,9 +467,7 @@ HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, float* con
         Real3 value = formulae::ramp_color(ramp, contrasted_at(task, planes[0], i));
         if (task.encode) value = formulae::srgb_from_linear(value);
         if (task.normalise) value = formulae::unit_normal(value);
-        store(value.x, planes[0] + i);
-        store(value.y, planes[1] + i);
-        store(value.z, planes[2] + i);
+        store(value, planes, static_cast<std::size_t>(i));
     }
 }
 

@@ -15,21 +15,14 @@
 #include <type_traits>
 
 #include "composite/decoded_bytes.h"
-#include "composite/planes.h"
-#include "core/formulae/formulae-inl.h"
+#include "composite/plane_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using formulae::lane_count;
-using formulae::Real;
 using formulae::RealLanes;
-
-HWY_INLINE Real load(const ReadPlane& plane, std::size_t i) {
-    return formulae::load(plane.data + i * plane.step);
-}
 
 /// One component of lane_count() RGBA8 texels, which are one 32-bit number each.
 template <int kIndex>
