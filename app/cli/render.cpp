@@ -29,6 +29,7 @@ constexpr const char* kRenderFooter =
     "      -o shiny.png\n"
     "  patina render model.glb --channel roughness --size 512x512 -o roughness.png\n"
     "  patina render model.glb --channel strip --size 320x240 -o channels.png\n"
+    "  patina render model.glb --environment sky --sun-elevation 8 -o evening.png\n"
     "  patina render model.glb --turntable 36 -o spin.png\n"
     "  patina render model.glb --shading difference --against pbr --against-path forward -o d.png\n"
     "  patina render model.glb --light "
@@ -36,12 +37,6 @@ constexpr const char* kRenderFooter =
     "      --samples 256 -o lamp.png\n"
     "  patina render model.glb --environment garden.hdr --background environment\n"
     "      --camera-position 2,1,3 --camera-target 0,0.5,0 --fov-y 35 --samples 64 -o picture.exr";
-
-bool is_builtin(std::string_view environment) {
-    for (const render::BuiltinEnvironment& entry : render::kBuiltinEnvironments)
-        if (entry.id == environment) return true;
-    return false;
-}
 
 Result<ImagePtr> environment_map(const std::filesystem::path& path) {
     const auto bytes = read_file(path);
@@ -56,17 +51,23 @@ Status set_environment(const RenderOptions& options, io::LoadedDocument& loaded,
                        render::OffscreenRequest& request) {
     Document document = *loaded.document;
     std::string& name = document.environment.name;
-    if (is_builtin(options.environment)) {
+    if (render::is_builtin_environment(options.environment)) {
         name = options.environment;
     } else if (!options.environment.empty()) {
         const auto map = environment_map(options.environment);
         if (!map) return passed_on(map);
         request.environment = *map;
-    } else if (!is_builtin(name)) {
+    } else if (!render::is_builtin_environment(name)) {
         // A file may not make this program read another one.
         log_warning("{} was lit by '{}': give it with --environment; the studio is used",
                     quoted_for_message(options.input.string()), quoted_for_message(name));
         name = render::kBuiltinEnvironments.front().id;
+    }
+    if (options.sun_elevation_degrees) {
+        if (request.environment || name != render::kSkyEnvironment)
+            return failure("--sun-elevation moves the sun of the sky: add --environment {}",
+                           render::kSkyEnvironment);
+        document.environment.sun_elevation_degrees = *options.sun_elevation_degrees;
     }
     loaded.document = std::make_shared<const Document>(std::move(document));
     return {};

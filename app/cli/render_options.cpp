@@ -233,6 +233,11 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
         ->type_name("DEG")
         ->capture_default_str();
     command
+        .add_option("--sun-elevation", options.sun_elevation_degrees,
+                    "How high the sun of the built-in sky stands above the horizon")
+        ->check(CLI::Range(0.0, 90.0))
+        ->type_name("DEG");
+    command
         .add_option("--environment-intensity", view.environment_intensity,
                     "Multiply its light by this")
         ->check(CLI::Range(0.0, 100.0))

@@ -37,10 +37,15 @@ struct ImageAsset {
 };
 using ImageAssetPtr = std::shared_ptr<const ImageAsset>;
 
+/// Where the sun of the built-in sky stands unless it is moved.
+inline constexpr float kSunElevationDegrees = 38.0f;
+
 struct EnvironmentSettings {
     std::string name = "studio";    ///< a built-in ("studio") or the path of an .hdr/.exr file
     float rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
     float intensity = 1.0f;         ///< times the radiance of the map, 0 to 100
+    /// Of the built-in sky's sun above the horizon, 0 to 90; nothing to other environments.
+    float sun_elevation_degrees = kSunElevationDegrees;
     bool operator==(const EnvironmentSettings&) const = default;
 };
 

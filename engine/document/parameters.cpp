@@ -232,6 +232,8 @@ constexpr std::array kParameters = {
         .tooltip = "Turns the surroundings about the vertical. -360 to 360°."},
     ParameterInfo{.parameter = Parameter::EnvironmentIntensity, .subject = Subject::Environment, .id = "intensity", .label = "Intensity", .kind = Number, .maximum = 100.0, .standard = 1.0, .step = 0.1, .unit = "×",
         .tooltip = "Multiplies the light of the surroundings, 0 to 100."},
+    ParameterInfo{.parameter = Parameter::EnvironmentSunElevation, .subject = Subject::Environment, .id = "sun-elevation", .label = "Sun height", .kind = Number, .maximum = 90.0, .standard = 38.0, .step = 1.0, .decimals = 1, .unit = "°",
+        .tooltip = "How high the sun of the sky stands above the horizon, 0 to 90°; a low one is red."},
 
     ParameterInfo{.parameter = Parameter::LightKind, .subject = Subject::Light, .id = "kind", .label = "Kind", .kind = ParameterKind::Choice, .choices = kLightKinds,
         .tooltip = "Directional: far away, like the sun. Spot: a cone. Sphere, rectangle: lamps of some size."},

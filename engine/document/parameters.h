@@ -168,6 +168,7 @@ enum class Parameter : std::uint8_t {
     EnvironmentName,
     EnvironmentRotation,
     EnvironmentIntensity,
+    EnvironmentSunElevation,
 
     LightKind,
     LightColor,

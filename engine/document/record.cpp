@@ -31,7 +31,8 @@ Json image_to_json(const RecordImage& image) {
 Json environment_to_json(const EnvironmentSettings& environment) {
     return {{"name", environment.name},
             {"rotation", json_of(environment.rotation_degrees)},
-            {"intensity", json_of(environment.intensity)}};
+            {"intensity", json_of(environment.intensity)},
+            {"sun-elevation", json_of(environment.sun_elevation_degrees)}};
 }
 
 Json light_to_json(const Light& light) {
@@ -142,6 +143,8 @@ EnvironmentSettings read_environment(JsonObject& parent) {
         object.number("rotation", Parameter::EnvironmentRotation, environment.rotation_degrees);
     environment.intensity =
         object.number("intensity", Parameter::EnvironmentIntensity, environment.intensity);
+    environment.sun_elevation_degrees = object.number(
+        "sun-elevation", Parameter::EnvironmentSunElevation, environment.sun_elevation_degrees);
     object.finish();
     return environment;
 }

@@ -105,6 +105,14 @@ Edit set_environment_intensity(float intensity) {
                             });
 }
 
+Edit set_sun_elevation(float degrees) {
+    return environment_edit("Sun height", {"environment.sun-elevation"},
+                            [degrees](EnvironmentSettings& copy) -> Status {
+                                copy.sun_elevation_degrees = degrees;
+                                return check_range(Parameter::EnvironmentSunElevation, degrees);
+                            });
+}
+
 Edit add_light(const Light& light) {
     return lights_edit("Add " + light_name(light), {},
                        [light](std::vector<Light>& lights) -> Status {

@@ -22,6 +22,8 @@ Edit set_environment_name(std::string name);
 Edit set_environment_rotation(float degrees);
 /// 0 to 100.
 Edit set_environment_intensity(float intensity);
+/// Of the built-in sky, 0 to 90.
+Edit set_sun_elevation(float degrees);
 
 /// Lights are known by their place in Document::lights, of which there are at most kMaxLights.
 /// Colour 0 to 1 each, intensity 0 to 1e9, direction not zero (kept as a unit vector), cones 0 <=

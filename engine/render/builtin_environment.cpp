@@ -7,22 +7,15 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <glm/gtc/constants.hpp>
 
 #include "core/parallel.h"
+#include "render/bearing.h"
+#include "render/clear_sky.h"
 #include "render/environment.h"
 #include "render/radiance_map.h"
 
 namespace patina::render {
 namespace {
-
-/// Where a light stands: yaw from +Z towards +X, elevation above the horizon.
-glm::vec3 direction_of(float yaw_degrees, float elevation_degrees) {
-    const float yaw = glm::radians(yaw_degrees);
-    const float elevation = glm::radians(elevation_degrees);
-    return {std::sin(yaw) * std::cos(elevation), std::sin(elevation),
-            std::cos(yaw) * std::cos(elevation)};
-}
 
 /// A rectangular light that faces the middle. Extents are tangents of half angles.
 struct SoftBox {
@@ -58,11 +51,11 @@ glm::vec3 radiance_of(const SoftBox& box, const glm::vec3& direction) {
 /// cool strip for the rim at the far right, a wide weak fill at the right, and a light overhead.
 const std::array<SoftBox, 5>& studio_boxes() {
     static const std::array<SoftBox, 5> boxes = {{
-        {direction_of(-22.0f, 44.0f), {0.55f, 0.46f}, 0.06f, 0.025f, {5.0f, 4.8f, 4.5f}, 0.62f},
-        {direction_of(112.0f, 16.0f), {0.2f, 0.85f}, 0.05f, 0.03f, {2.6f, 2.8f, 3.1f}, 0.7f},
-        {direction_of(-112.0f, 22.0f), {0.16f, 0.75f}, 0.05f, 0.03f, {3.2f, 3.3f, 3.5f}, 0.7f},
-        {direction_of(64.0f, 12.0f), {0.5f, 0.4f}, 0.2f, 0.25f, {0.34f, 0.36f, 0.4f}, 0.5f},
-        {direction_of(190.0f, 62.0f), {0.8f, 0.3f}, 0.08f, 0.04f, {1.9f, 1.9f, 1.95f}, 0.7f},
+        {bearing(-22.0f, 44.0f), {0.55f, 0.46f}, 0.06f, 0.025f, {5.0f, 4.8f, 4.5f}, 0.62f},
+        {bearing(112.0f, 16.0f), {0.2f, 0.85f}, 0.05f, 0.03f, {2.6f, 2.8f, 3.1f}, 0.7f},
+        {bearing(-112.0f, 22.0f), {0.16f, 0.75f}, 0.05f, 0.03f, {3.2f, 3.3f, 3.5f}, 0.7f},
+        {bearing(64.0f, 12.0f), {0.5f, 0.4f}, 0.2f, 0.25f, {0.34f, 0.36f, 0.4f}, 0.5f},
+        {bearing(190.0f, 62.0f), {0.8f, 0.3f}, 0.08f, 0.04f, {1.9f, 1.9f, 1.95f}, 0.7f},
     }};
     return boxes;
 }
@@ -80,48 +73,26 @@ glm::vec3 studio_radiance(const glm::vec3& direction) {
     return radiance;
 }
 
-/// Relative luminance of a clear sky: CIE S 011/E:2003, type 12 (a -1, b -0.32, c 10, d -3,
-/// e 0.45), over that of the zenith with the sun there.
-float clear_sky_luminance(float cos_zenith, float sun_angle) {
-    const float gradation = 1.0f - std::exp(-0.32f / std::max(cos_zenith, 0.03f));
-    const float indicatrix =
-        1.0f + 10.0f * (std::exp(-3.0f * sun_angle) - std::exp(-1.5f * glm::pi<float>())) +
-        0.45f * std::cos(sun_angle) * std::cos(sun_angle);
-    return gradation / (1.0f - std::exp(-0.32f)) * indicatrix;
-}
-
-glm::vec3 sky_radiance(const glm::vec3& direction) {
-    const glm::vec3 sun = direction_of(-40.0f, 38.0f);
-    const float angle = std::acos(std::clamp(glm::dot(direction, sun), -1.0f, 1.0f));
-    const glm::vec3 ground(0.17f, 0.155f, 0.13f);
-    if (direction.y < -0.02f) return ground;
-    const float height = std::max(direction.y, 0.0f);
-    const glm::vec3 tint = glm::mix(glm::vec3(0.86f, 0.93f, 1.0f), glm::vec3(0.36f, 0.6f, 1.0f),
-                                    std::pow(height, 0.45f));
-    glm::vec3 radiance = 0.16f * clear_sky_luminance(height, angle) * tint;
-    // A disc four times as wide as the sun's, with the sun's irradiance: some 4 on a facing
-    // surface.
-    const float disc = 1.0f - glm::smoothstep(0.018f, 0.024f, angle);
-    radiance += disc * 2900.0f * glm::vec3(1.0f, 0.93f, 0.82f);
-    return glm::mix(ground, radiance, glm::smoothstep(-0.02f, 0.01f, direction.y));
-}
-
 glm::vec3 white_radiance(const glm::vec3& direction) {
     (void)direction;
     return glm::vec3(1.0f);
 }
 
-using RadianceFunction = glm::vec3 (*)(const glm::vec3& direction);
+using RadianceFunction = std::function<glm::vec3(const glm::vec3& direction)>;
 
-RadianceFunction radiance_function(std::string_view id) {
+/// Empty for an unknown name.
+RadianceFunction radiance_function(std::string_view id, float sun_elevation_degrees) {
     if (id == "studio") return studio_radiance;
-    if (id == "sky") return sky_radiance;
+    if (id == kSkyEnvironment) {
+        const ClearSky sky(sun_elevation_degrees);
+        return [sky](const glm::vec3& direction) { return sky.radiance(direction); };
+    }
     if (id == "white") return white_radiance;
     return nullptr;
 }
 
 /// The mean of a texel over points x points directions.
-glm::vec3 texel_mean(RadianceFunction radiance, int x, int y, int width, int height) {
+glm::vec3 texel_mean(const RadianceFunction& radiance, int x, int y, int width, int height) {
     constexpr int kPoints = 3;
     glm::vec3 sum(0.0f);
     for (int j = 0; j < kPoints; ++j)
@@ -135,9 +106,14 @@ glm::vec3 texel_mean(RadianceFunction radiance, int x, int y, int width, int hei
 
 }  // namespace
 
-Result<Image> builtin_environment(std::string_view id, int height) {
-    const RadianceFunction radiance = radiance_function(id);
-    if (radiance == nullptr) {
+bool is_builtin_environment(std::string_view name) {
+    return std::any_of(kBuiltinEnvironments.begin(), kBuiltinEnvironments.end(),
+                       [&](const BuiltinEnvironment& entry) { return entry.id == name; });
+}
+
+Result<Image> builtin_environment(std::string_view id, int height, float sun_elevation_degrees) {
+    const RadianceFunction radiance = radiance_function(id, sun_elevation_degrees);
+    if (!radiance) {
         std::array<std::string_view, kBuiltinEnvironments.size()> ids;
         std::transform(kBuiltinEnvironments.begin(), kBuiltinEnvironments.end(), ids.begin(),
                        [](const BuiltinEnvironment& entry) { return entry.id; });

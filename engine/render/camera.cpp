@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "render/bearing.h"
+
 namespace patina::render {
 namespace {
 
@@ -39,9 +41,7 @@ Angles angles_of(ViewDirection direction) {
 }
 
 glm::vec3 direction_from(const Angles& angles) {
-    const float yaw = glm::radians(angles.yaw_degrees);
-    const float pitch = glm::radians(angles.pitch_degrees);
-    return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+    return bearing(angles.yaw_degrees, angles.pitch_degrees);
 }
 
 std::array<glm::vec3, 8> corners(const Bounds& bounds) {

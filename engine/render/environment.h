@@ -19,6 +19,7 @@
 
 #include "core/progress.h"
 #include "core/result.h"
+#include "document/document.h"
 #include "render/environment_sampler.h"
 #include "render/radiance_map.h"
 #include "render/sky_light.h"
@@ -100,14 +101,24 @@ struct BuiltinEnvironment {
     std::string_view label;
     std::string_view tooltip;
 };
+/// The built-in one whose sun stands where EnvironmentSettings says.
+inline constexpr std::string_view kSkyEnvironment = "sky";
 inline constexpr std::array<BuiltinEnvironment, 3> kBuiltinEnvironments = {{
     {"studio", "Studio", "Three soft boxes in a dark room"},
-    {"sky", "Sky", "A clear sky with a low sun"},
+    {kSkyEnvironment, "Sky", "A clear sky with its sun, which can be raised and lowered"},
     {"white", "White", "The same light from everywhere"},
 }};
+/// Whether EnvironmentSettings::name is one of them, and no file.
+bool is_builtin_environment(std::string_view name);
+
+/// Rows that are enough for the soft edges of all of them.
+inline constexpr int kBuiltinHeight = 256;
+
 /// One of kBuiltinEnvironments as an equirectangular map, RGB F32, 2 * height x height. Unknown
 /// names are a failure that lists the known ones.
-Result<Image> builtin_environment(std::string_view id, int height = 256);
+/// @param sun_elevation_degrees  of the sky's sun above the horizon, 0 to 90
+Result<Image> builtin_environment(std::string_view id, int height = kBuiltinHeight,
+                                  float sun_elevation_degrees = kSunElevationDegrees);
 
 /// The roughness of a position 0 to 1 among the levels of FilteredEnvironment::specular, and back.
 /// More levels are spent on smooth surfaces, where the eye sees steps.

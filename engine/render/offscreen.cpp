@@ -57,11 +57,12 @@ Status set_materials(Renderer& renderer, const Document& document, ImageProvider
     return {};
 }
 
-Result<Image> builtin_or_studio(const std::string& name) {
-    Result<Image> named = builtin_environment(name);
-    if (named) return named;
+Result<Image> builtin_or_studio(const EnvironmentSettings& environment) {
+    if (is_builtin_environment(environment.name))
+        return builtin_environment(environment.name, kBuiltinHeight,
+                                   environment.sun_elevation_degrees);
     log_warning("environment \"{}\" is not built in and no map was given; the studio is used",
-                quoted_for_message(name));
+                quoted_for_message(environment.name));
     return builtin_environment(kBuiltinEnvironments.front().id);
 }
 
@@ -70,7 +71,7 @@ Status set_environment(Renderer& renderer, const Document& document,
     progress.set_stage("Filtering the environment");
     ImagePtr map = request.environment;
     if (!map) {
-        Result<Image> builtin = builtin_or_studio(document.environment.name);
+        Result<Image> builtin = builtin_or_studio(document.environment);
         if (!builtin) return passed_on(builtin);
         map = std::make_shared<const Image>(std::move(*builtin));
     }

@@ -191,6 +191,16 @@ TEST_F(Render, ReportsItsCostsAsJson) {
     EXPECT_GT(report["left"]["gbuffer_bytes"], 64 * 48 * 4);
 }
 
+TEST_F(Render, TheSunOfTheSkyIsMovedAndNoOther) {
+    ASSERT_TRUE(succeeded(render({"--environment", "sky"}, "noon.png")));
+    ASSERT_TRUE(succeeded(render({"--environment", "sky", "--sun-elevation", "6"}, "evening.png")));
+    EXPECT_TRUE(file_text(at("noon.png")) != file_text(at("evening.png")));
+    const Outcome outcome = render({"--sun-elevation", "6"}, "picture.png");
+    EXPECT_TRUE(failed_with_one_line(outcome));
+    EXPECT_THAT(outcome.errors, HasSubstr("--environment sky"));
+    EXPECT_EQ(render({"--environment", "sky", "--sun-elevation", "91"}, "a.png").status, 2);
+}
+
 TEST_F(Render, AnEnvironmentThatIsNoImageIsOneLine) {
     std::ofstream(at("fake.hdr")) << "no picture";
     const Outcome outcome = render({"--environment", at("fake.hdr")}, "picture.png");

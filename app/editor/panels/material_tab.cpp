@@ -14,6 +14,7 @@
 #include "editor/widgets/form.h"
 #include "editor/widgets/number_text.h"
 #include "editor/widgets/slider.h"
+#include "render/environment.h"
 
 namespace patina::editor {
 namespace {
@@ -95,10 +96,16 @@ Requests draw_environment(Ui& ui, Rect& rest, const Document& document, ViewStat
         number_field(ui, padded_line(ui, rest), number_spec(Parameter::EnvironmentRotation),
                      static_cast<double>(document.environment.rotation_degrees));
     if (rotation) requests.edit(set_environment_rotation(static_cast<float>(*rotation)));
-    NumberSpec intensity = number_spec(Parameter::EnvironmentIntensity);
-    const auto next = number_field(ui, padded_line(ui, rest), intensity,
-                                   static_cast<double>(document.environment.intensity));
-    if (next) requests.edit(set_environment_intensity(static_cast<float>(*next)));
+    const auto intensity =
+        number_field(ui, padded_line(ui, rest), number_spec(Parameter::EnvironmentIntensity),
+                     static_cast<double>(document.environment.intensity));
+    if (intensity) requests.edit(set_environment_intensity(static_cast<float>(*intensity)));
+    if (document.environment.name == render::kSkyEnvironment) {
+        const auto sun =
+            number_field(ui, padded_line(ui, rest), number_spec(Parameter::EnvironmentSunElevation),
+                         static_cast<double>(document.environment.sun_elevation_degrees));
+        if (sun) requests.edit(set_sun_elevation(static_cast<float>(*sun)));
+    }
     rest.cut_top(ui.px(6));
     return requests;
 }

@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_builtin(const std::string& name) {
-    return std::any_of(render::kBuiltinEnvironments.begin(), render::kBuiltinEnvironments.end(),
-                       [&](const auto& builtin) { return builtin.id == name; });
-}
-
 /// A relative path as a document names it: as a URI is written, so that a percent sign survives.
 std::string name_of_path(const fs::path& relative) {
     std::string name;
@@ -36,7 +31,8 @@ tl::unexpected<Error> not_used(const std::string& why) {
 
 Result<ImagePtr> read_environment(const EnvironmentSource& source) {
     if (!source.builtin.empty()) {
-        Result<Image> map = render::builtin_environment(source.builtin);
+        Result<Image> map = render::builtin_environment(source.builtin, render::kBuiltinHeight,
+                                                        source.sun_elevation_degrees);
         if (!map) return passed_on(map);
         return std::make_shared<const Image>(std::move(*map));
     }
@@ -61,7 +57,7 @@ void Environments::set_folder(fs::path folder) {
     folder_ = std::move(folder);
     // Paths from another folder mean nothing here.
     std::erase_if(shown_, [](const EnvironmentShown& each) {
-        return !is_builtin(each.name) && fs::path(each.name).is_relative();
+        return !render::is_builtin_environment(each.name) && fs::path(each.name).is_relative();
     });
 }
 
@@ -78,7 +74,7 @@ std::string Environments::choose(const fs::path& file) {
 
 Result<EnvironmentSource> Environments::find(const std::string& name) {
     EnvironmentSource source;
-    if (is_builtin(name)) {
+    if (render::is_builtin_environment(name)) {
         source.builtin = name;
     } else if (chosen_.contains(name)) {
         source.file = name;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "document/document.h"
 #include "editor/state/shown.h"
 #include "scene/image.h"
 
@@ -21,6 +22,7 @@ namespace patina::editor {
 struct EnvironmentSource {
     std::string builtin = {};
     std::filesystem::path file = {};
+    float sun_elevation_degrees = kSunElevationDegrees;  ///< of the built-in sky
 };
 
 /// The panorama: decoded, or made. Any thread.

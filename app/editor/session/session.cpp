@@ -94,7 +94,7 @@ Session::Session(std::function<void()> wake, ViewportPicture picture)
     thumbnails_.set_presets(&presets_);
     thumbnails_.set_environments(
         [this](const std::string& name) { return environments_.find(name); });
-    light_with("studio");
+    light_with({"studio"});
 }
 
 Session::~Session() {

@@ -133,11 +133,18 @@ class Session {
     };
     MaterialPtr part_of(const MaterialPtr& material, const ViewState& view);
     void show_materials(const ViewState& view);
+    /// What the light is filtered from.
+    struct EnvironmentChoice {
+        std::string name;
+        float sun_elevation_degrees = kSunElevationDegrees;
+        bool operator==(const EnvironmentChoice&) const = default;
+    };
     void follow_environment();
-    void light_with(const std::string& name);
+    void light_with(const EnvironmentChoice& chosen);
     void filter_environment(const EnvironmentSource& source, std::string label);
     void finish_environment(const ImagePtr& map, int generation);
     Jobs::Delivery light_delivery(render::FilteredEnvironment light, int generation);
+    Jobs::Delivery light_failure(const Error& error, int generation);
     void follow_texel(const ViewState& view);
     void follow_crosshair(ViewState& view) const;
     void draw_still();
@@ -158,8 +165,10 @@ class Session {
     std::string shape_name_;  ///< where there is no path
     bool frame_new_document_ = false;
     ViewportPicture picture_;
-    std::string environment_name_;
+    EnvironmentChoice lit_;
     int environment_generation_ = 0;
+    bool first_light_pending_ = false;
+    int finishing_light_ = 0;  ///< the job
     std::vector<io::PresetFile> presets_;
     std::vector<const Preset*> preset_list_;
     Part part_;

@@ -97,7 +97,7 @@ void Session::adopt(io::LoadedDocument loaded, fs::path path) {
     path_ = std::move(path);
     texel_.reset();
     environments_.set_folder(path_.empty() ? fs::path() : fs::absolute(path_).parent_path());
-    environment_name_.clear();
+    lit_ = {};
     thumbnails_.set_images(images_);
     picture_.set_scene(loaded.document->scene);
     frame_new_document_ = true;
@@ -253,7 +253,7 @@ void Session::with_texture_folder(const fs::path& folder,
 
 void Session::use_environment_file(const fs::path& path) {
     const std::string name = environments_.choose(path);
-    if (!history_ || document().environment.name == name) return light_with(name);
+    if (!history_ || document().environment.name == name) return light_with({name});
     apply(set_environment_name(name));
 }
 

@@ -455,6 +455,7 @@ const std::vector<EditOf>& edits_of_scenes() {
         [](const Target&) { return add_image(sample_image()); },
         [](const Target& t) { return set_environment_name(t.name()); },
         [](const Target& t) { return set_environment_rotation(t.choices.number(-360, 360)); },
+        [](const Target& t) { return set_sun_elevation(t.choices.number(0, 90)); },
         [](const Target& t) { return set_environment_intensity(t.choices.number(0, 100)); },
         [](const Target& t) { return add_light(some_light(t)); },
         [](const Target& t) { return remove_light(t.choices.below(3) - 1); },

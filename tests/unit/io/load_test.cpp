@@ -435,11 +435,13 @@ TEST(Load, TakesEnvironmentAndLightsFromTheScenesRecord) {
     auto sample = test::sample_gltf();
     SceneRecord record;
     record.environment.rotation_degrees = 45.0f;
+    record.environment.sun_elevation_degrees = 12.0f;
     record.lights = std::vector<Light>{Light{}, Light{}};
     sample.json["scenes"][0]["extras"]["patina"] = to_json(record);
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
     EXPECT_EQ(loaded->document->environment.rotation_degrees, 45.0f);
+    EXPECT_EQ(loaded->document->environment.sun_elevation_degrees, 12.0f);
     EXPECT_EQ(loaded->document->lights.size(), 2u);
     EXPECT_EQ(loaded->document->scene->lights.size(), 1u);
 }

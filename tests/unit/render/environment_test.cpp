@@ -172,6 +172,51 @@ TEST(Environment, EveryBuiltInOneIsFiniteAndLitFromAbove) {
     }
 }
 
+/// The strongest texel of a sky, and where it is seen.
+struct SkySun {
+    glm::vec3 radiance = glm::vec3(0.0f);
+    glm::vec3 direction = glm::vec3(0.0f);
+};
+SkySun sun_of(float elevation_degrees) {
+    constexpr int kHeight = 256;
+    const RadianceMap map = value_of(
+        radiance_map(value_of(builtin_environment(kSkyEnvironment, kHeight, elevation_degrees))));
+    SkySun sun;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            if (map.at(x, y).x > sun.radiance.x)
+                sun = {.radiance = map.at(x, y), .direction = texel_direction(map, x, y)};
+    return sun;
+}
+
+TEST(Environment, TheSunOfTheSkyStandsAsHighAsItIsTold) {
+    for (const float elevation : {3.0f, 20.0f, kSunElevationDegrees, 65.0f, 90.0f})
+        EXPECT_NEAR(glm::degrees(std::asin(sun_of(elevation).direction.y)), elevation, 1.2f);
+}
+
+TEST(Environment, ALowSunIsWeakerAndRedder) {
+    SkySun higher = sun_of(90.0f);
+    for (const float elevation : {50.0f, kSunElevationDegrees, 20.0f, 10.0f, 4.0f}) {
+        const SkySun sun = sun_of(elevation);
+        EXPECT_LT(sun.radiance.x, higher.radiance.x) << elevation;
+        EXPECT_LT(sun.radiance.z / sun.radiance.x, higher.radiance.z / higher.radiance.x)
+            << elevation;
+        higher = sun;
+    }
+}
+
+TEST(Environment, ASkyIsFiniteAndNeverBlackWhereverItsSunStands) {
+    for (const float elevation : {0.0f, 1.0f, 45.0f, 90.0f}) {
+        const RadianceMap map =
+            value_of(radiance_map(value_of(builtin_environment(kSkyEnvironment, 64, elevation))));
+        for (const glm::vec3& texel : map.texels)
+            for (int i = 0; i < 3; ++i) {
+                ASSERT_TRUE(std::isfinite(texel[i])) << elevation;
+                ASSERT_GT(texel[i], 0.005f) << elevation;
+            }
+    }
+}
+
 TEST(Environment, AnUnknownNameIsAFailureThatListsTheKnownOnes) {
     const Result<Image> made = builtin_environment("moon\n");
     ASSERT_FALSE(made);

@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 
 /// Of the map that both sides are given: the sum over its texels is what takes the time.
 constexpr int kMapWidth = 256;
-constexpr PictureSize kPicture = {192, 192};
 constexpr int kPixelsPerSphere = 40;
 constexpr glm::vec3 kCenter(0.0f, 0.5f, 0.0f);
 constexpr float kRadius = 0.5f;
@@ -51,6 +50,12 @@ Mesh fine_sphere() {
     return {"sphere", {sphere}};
 }
 
+/// How the sphere is looked at.
+struct Shot {
+    Camera camera;
+    PictureSize size;
+};
+
 struct SpherePoint {
     Pixel pixel;
     glm::vec3 normal;
@@ -58,13 +63,17 @@ struct SpherePoint {
 };
 
 /// The sphere where a pixel's point (x, y from its upper left corner, 0 to 1) looks.
-std::optional<SpherePoint> sphere_at(const Camera& camera, Pixel pixel, glm::vec2 within) {
+std::optional<SpherePoint> sphere_at(const Shot& shot, Pixel pixel, glm::vec2 within) {
+    const Camera& camera = shot.camera;
     const glm::vec3 forward = glm::normalize(camera.target - camera.position);
     const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::vec3 up = glm::cross(right, forward);
     const float half = std::tan(glm::radians(camera.fov_y_degrees) * 0.5f);
-    const float x = (static_cast<float>(pixel.x) + within.x) / kPicture.width * 2.0f - 1.0f;
-    const float y = 1.0f - (static_cast<float>(pixel.y) + within.y) / kPicture.height * 2.0f;
+    const float x =
+        (static_cast<float>(pixel.x) + within.x) / static_cast<float>(shot.size.width) * 2.0f -
+        1.0f;
+    const float y = 1.0f - (static_cast<float>(pixel.y) + within.y) /
+                               static_cast<float>(shot.size.height) * 2.0f;
     const glm::vec3 direction = glm::normalize(forward + half * (x * right + y * up));
     const glm::vec3 from_center = camera.position - kCenter;
     const float b = glm::dot(from_center, direction);
@@ -74,26 +83,28 @@ std::optional<SpherePoint> sphere_at(const Camera& camera, Pixel pixel, glm::vec
     return SpherePoint{pixel, (hit - kCenter) / kRadius, -direction};
 }
 
-bool wholly_covered(const Camera& camera, Pixel pixel) {
+bool wholly_covered(const Shot& shot, Pixel pixel) {
     for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1)})
-        if (!sphere_at(camera, pixel, corner)) return false;
+        if (!sphere_at(shot, pixel, corner)) return false;
     return true;
 }
 
 /// The same well spread pixels in every run.
-std::vector<Pixel> chosen_pixels(const Camera& camera) {
+std::vector<Pixel> chosen_pixels(const Shot& shot) {
     std::mt19937 random(7);
+    const auto below = [&](int side) {
+        return static_cast<int>(random() % static_cast<unsigned>(side));
+    };
     std::vector<Pixel> pixels;
     while (pixels.size() < kPixelsPerSphere) {
-        const Pixel pixel{static_cast<int>(random() % kPicture.width),
-                          static_cast<int>(random() % kPicture.height)};
-        if (wholly_covered(camera, pixel)) pixels.push_back(pixel);
+        const Pixel pixel{below(shot.size.width), below(shot.size.height)};
+        if (wholly_covered(shot, pixel)) pixels.push_back(pixel);
     }
     return pixels;
 }
 
 /// What a mirror shows varies within a pixel: the mean over a grid of points.
-glm::dvec3 true_mirrored(const ReflectedLight& light, const Camera& camera, Pixel pixel,
+glm::dvec3 true_mirrored(const ReflectedLight& light, const Shot& shot, Pixel pixel,
                          const ReflectingMaterial& material) {
     constexpr int kSide = 32;
     glm::dvec3 sum(0.0);
@@ -101,7 +112,7 @@ glm::dvec3 true_mirrored(const ReflectedLight& light, const Camera& camera, Pixe
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const glm::vec2 within((glm::vec2(x, y) + 0.5f) / static_cast<float>(kSide));
-            const auto point = sphere_at(camera, pixel, within);
+            const auto point = sphere_at(shot, pixel, within);
             if (!point) continue;
             sum += light.mirrored(point->normal, point->to_eye, material);
             ++count;
@@ -109,11 +120,11 @@ glm::dvec3 true_mirrored(const ReflectedLight& light, const Camera& camera, Pixe
     return sum / static_cast<double>(count);
 }
 
-glm::dvec3 true_radiance(const ReflectedLight& light, const Camera& camera, Pixel pixel,
+glm::dvec3 true_radiance(const ReflectedLight& light, const Shot& shot, Pixel pixel,
                          const ReflectingMaterial& material) {
-    const SpherePoint middle = *sphere_at(camera, pixel, glm::vec2(0.5f));
+    const SpherePoint middle = *sphere_at(shot, pixel, glm::vec2(0.5f));
     const glm::dvec3 sum = light.summed(middle.normal, middle.to_eye, material);
-    return material.is_smooth() ? sum + true_mirrored(light, camera, pixel, material) : sum;
+    return material.is_smooth() ? sum + true_mirrored(light, shot, pixel, material) : sum;
 }
 
 /// Roughness in sixths and metalness in halves.
@@ -151,7 +162,7 @@ class TruthTest : public RenderTest {
         EXPECT_TRUE(renderer().set_environment(filtered));
         const ReflectedLight light(map);
         view_.camera = framed(renderer().bounds_world(), 1.0f, ViewDirection::ThreeQuarter);
-        const std::vector<Pixel> pixels = chosen_pixels(view_.camera);
+        const std::vector<Pixel> pixels = chosen_pixels(shot());
         std::map<std::string_view, std::vector<double>> cells;
         for (const ReflectingMaterial& material : shown) {
             const double error = error_of(light, pixels, material, samples);
@@ -170,7 +181,13 @@ class TruthTest : public RenderTest {
         return means;
     }
 
+    PictureSize size_ = {192, 192};
+
   private:
+    Shot shot() const {
+        return {view_.camera, size_};
+    }
+
     static Image image_of(const RadianceMap& map) {
         Image image{.width = map.width,
                     .height = map.height,
@@ -187,13 +204,13 @@ class TruthTest : public RenderTest {
         EXPECT_TRUE(renderer().set_material(
             0,
             constant_surface(material.base_color_linear, material.metalness, material.roughness)));
-        const Image picture = value_of(renderer().still_linear(view_, kPicture, samples));
+        const Image picture = value_of(renderer().still_linear(view_, size_, samples));
         std::vector<glm::dvec3> truth(pixels.size());
         parallel_for(0, static_cast<std::int64_t>(pixels.size()), 1,
                      [&](std::int64_t first, std::int64_t last) {
                          for (auto i = static_cast<std::size_t>(first);
                               i < static_cast<std::size_t>(last); ++i)
-                             truth[i] = true_radiance(light, view_.camera, pixels[i], material);
+                             truth[i] = true_radiance(light, shot(), pixels[i], material);
                      });
         RelativeError error;
         for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -271,6 +288,11 @@ TEST_F(TruthOfStills, ManySamplesConvergeToTheIntegral) {
 /// What many samples reach; minutes each.
 class NightlyTruth : public TruthTest, public testing::WithParamInterface<const char*> {
   protected:
+    /// A quarter of the pixels, of which as many are looked at.
+    void SetUp() override {
+        TruthTest::SetUp();
+        size_ = {96, 96};
+    }
     ImagePtr map() {
         const std::string name = GetParam();
         if (name != "sky") return asset(name);
