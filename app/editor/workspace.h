@@ -68,6 +68,7 @@ class Workspace {
     void save_then(std::function<void()> after);
     void ask_save_as(std::function<void()> after);
     void ask_export();
+    void ask_save_view();
     void ask_image(std::function<void(const ImageAssetPtr&)> use);
     void lay_textures(const std::filesystem::path& folder);
     void choose_image_for(const ChooseImageFor& request);

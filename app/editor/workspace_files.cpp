@@ -89,6 +89,18 @@ void Workspace::ask_export() {
                        .chosen = chosen});
 }
 
+void Workspace::ask_save_view() {
+    const render::PictureSize size = session_->still_size();
+    file_dialog_.open(
+        {.title = fmt::format("Save the view, {} \u00d7 {}: PNG, or EXR in linear light",
+                              size.width, size.height),
+         .button = "Save",
+         .extensions = {".png", ".exr"},
+         .name = "view.png",
+         .writing = true,
+         .chosen = [this](const fs::path& path) { session_->save_view(path, view_); }});
+}
+
 void Workspace::perform_file(Action action) {
     switch (action) {
         case Action::Open:
@@ -123,14 +135,7 @@ void Workspace::perform_file(Action action) {
             if (session_->has_document()) ask_export();
             return;
         case Action::SaveView:
-            if (session_->has_document())
-                file_dialog_.open(
-                    {.title = "Save the view, 1920 \u00d7 1080",
-                     .button = "Save",
-                     .extensions = {".png"},
-                     .name = "view.png",
-                     .writing = true,
-                     .chosen = [this](const fs::path& path) { session_->save_view(path, view_); }});
+            if (session_->has_document()) ask_save_view();
             return;
         case Action::KeepPrevious:
             return session_->set_keep_previous(!session_->keeps_previous());

@@ -93,6 +93,7 @@ struct Still {
     View view;
     PictureSize size;
     int samples = 1;
+    bool linear = false;  ///< radiance, or raw values of a channel, in place of display light
     int drawn = 0;
     bool is_finished() const { return drawn >= samples; }
 };
@@ -109,7 +110,7 @@ struct Refinement {
 /// hold exact numbers, and as many as smooth edges need where no draw samples the environment.
 int refining_draws(const View& view, int most);
 
-/// What the draws of a still came to: display light, bottom row first.
+/// What the draws of a still came to, display light or radiance, bottom row first.
 struct StillMean {
     PictureSize size;
     std::vector<float> rgba_premultiplied;
@@ -117,6 +118,8 @@ struct StillMean {
 };
 /// RGBA, U8 or U16, sRGB-encoded, straight alpha, row 0 at the top. Any thread.
 Image srgb_image(const StillMean& still, SampleType type = SampleType::U8);
+/// RGBA, F32, premultiplied, as it was drawn; row 0 at the top. Any thread.
+Image linear_image(const StillMean& still);
 
 struct RendererState;  // renderer_state.h
 
@@ -202,6 +205,7 @@ class Renderer {
 
   private:
     explicit Renderer(std::unique_ptr<RendererState> state);
+    Result<StillMean> finished_still(Still still);
     std::unique_ptr<RendererState> state_;
 };
 

@@ -69,14 +69,8 @@ std::vector<float> mean_of(const gl::Framebuffer& sum, PictureSize size, int sam
     return mean;
 }
 
-/// The mean of `samples` draws: RGBA, premultiplied, bottom row first.
-Result<std::vector<float>> accumulate(RendererState& state, const View& view, PictureSize size,
-                                      int samples, OutputMode output) {
-    if (Status fits = check_still(state, size, samples); !fits) return passed_on(fits);
-    for (int i = 0; i < samples; ++i)
-        if (Status drawn = add_sample(state, view, size, i, samples, output); !drawn)
-            return passed_on(drawn);
-    return mean_of(*state.accumulation.get(), size, samples);
+OutputMode output_of(const Still& still) {
+    return still.linear ? OutputMode::Radiance : OutputMode::Display;
 }
 
 /// Display light of what was averaged as radiance, over the background.
@@ -153,10 +147,21 @@ Image srgb_image(const StillMean& still, SampleType type) {
     return image;
 }
 
+Image linear_image(const StillMean& still) {
+    Image image = empty_image(still.size, SampleType::F32);
+    const std::size_t row_bytes = image.row_bytes();
+    const auto* rows = reinterpret_cast<const std::byte*>(still.rgba_premultiplied.data());
+    const auto height = static_cast<std::size_t>(still.size.height);
+    for (std::size_t y = 0; y < height; ++y)
+        std::memcpy(image.data.data() + y * row_bytes, rows + (height - 1 - y) * row_bytes,
+                    row_bytes);
+    return image;
+}
+
 Status Renderer::draw_sample(Still& still) {
     if (Status fits = check_still(*state_, still.size, still.samples); !fits) return fits;
     if (Status drawn = add_sample(*state_, still.view, still.size, still.drawn, still.samples,
-                                  OutputMode::Display);
+                                  output_of(still));
         !drawn)
         return drawn;
     ++still.drawn;
@@ -169,7 +174,7 @@ Result<StillMean> Renderer::mean(const Still& still) {
     StillMean mean{.size = still.size,
                    .rgba_premultiplied = {},
                    .dithered = info(still.view.channel).display == ChannelDisplay::Picture};
-    if (samples_environment(still.view, still.samples, OutputMode::Display)) {
+    if (!still.linear && samples_environment(still.view, still.samples, OutputMode::Display)) {
         Result<std::vector<float>> display = finished(*state_, still);
         if (!display) return passed_on(display);
         mean.rgba_premultiplied = std::move(*display);
@@ -179,28 +184,26 @@ Result<StillMean> Renderer::mean(const Still& still) {
     return mean;
 }
 
-Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples,
-                                   SampleType type) {
-    Still still{.view = view, .size = size, .samples = samples};
+/// All draws of a still.
+Result<StillMean> Renderer::finished_still(Still still) {
     do {
         if (const Status drawn = draw_sample(still); !drawn) return passed_on(drawn);
     } while (!still.is_finished());
-    const Result<StillMean> averaged = mean(still);
-    if (!averaged) return passed_on(averaged);
-    return srgb_image(*averaged, type);
+    return mean(still);
+}
+
+Result<Image> Renderer::still_srgb(const View& view, PictureSize size, int samples,
+                                   SampleType type) {
+    const auto made = finished_still({.view = view, .size = size, .samples = samples});
+    if (!made) return passed_on(made);
+    return srgb_image(*made, type);
 }
 
 Result<Image> Renderer::still_linear(const View& view, PictureSize size, int samples) {
-    const Result<std::vector<float>> mean =
-        accumulate(*state_, view, size, samples, OutputMode::Radiance);
-    if (!mean) return passed_on(mean);
-    Image image = empty_image(size, SampleType::F32);
-    const std::size_t row_bytes = image.row_bytes();
-    const auto* rows = reinterpret_cast<const std::byte*>(mean->data());
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
-        std::memcpy(image.data.data() + y * row_bytes,
-                    rows + (static_cast<std::size_t>(size.height) - 1 - y) * row_bytes, row_bytes);
-    return image;
+    const auto made =
+        finished_still({.view = view, .size = size, .samples = samples, .linear = true});
+    if (!made) return passed_on(made);
+    return linear_image(*made);
 }
 
 }  // namespace patina::render

@@ -49,6 +49,9 @@ class Session {
     void export_maps(const std::filesystem::path& folder);
     /// The copy of the model that export_maps writes beside the maps.
     std::filesystem::path export_target(const std::filesystem::path& folder) const;
+    /// Of a saved view: as wide for its height as the viewport.
+    render::PictureSize still_size() const;
+    /// A picture of what the viewport shows: PNG as seen, EXR in linear radiance.
     void save_view(const std::filesystem::path& path, const ViewState& view);
     /// Reads an image on a worker and gives it to `use` as edits to make.
     void with_image(const std::filesystem::path& path,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <utility>
 
@@ -24,8 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kStillSamples = 16;
-constexpr render::PictureSize kStillSize{1920, 1080};
+/// So many that every draw samples the environment, as the refined viewport does.
+constexpr int kStillSamples = 64;
+constexpr float kStillPixels = 1920.0f * 1080.0f;
 constexpr auto kCancelPoll = std::chrono::milliseconds(50);
 
 /// The document with its groups folded as they are seen: not an edit, but the file tells the next
@@ -158,16 +160,24 @@ void Session::export_maps(const fs::path& folder) {
     });
 }
 
+render::PictureSize Session::still_size() const {
+    const float height = std::sqrt(kStillPixels / viewport_aspect_);
+    return {static_cast<int>(std::lround(height * viewport_aspect_)),
+            static_cast<int>(std::lround(height))};
+}
+
 void Session::save_view(const fs::path& path, const ViewState& state) {
     if (still_) return toast(ToastKind::Note, "A view is being saved: wait until it is done");
     auto work = std::make_shared<StillWork>();
-    work->still = {.view = state.view, .size = kStillSize, .samples = kStillSamples};
+    const bool linear = io::image_format_of(path) == io::ImageFormat::Exr;
+    work->still = {
+        .view = state.view, .size = still_size(), .samples = kStillSamples, .linear = linear};
     work->still.view.lights = document().lights;
     work->still.view.environment_rotation_degrees = document().environment.rotation_degrees;
     work->still.view.environment_intensity = document().environment.intensity;
     still_ = work;
     jobs_.start("Saving " + path.filename().string(),
-                [this, path, work](const Progress& progress) -> Jobs::Delivery {
+                [this, path, work, linear](const Progress& progress) -> Jobs::Delivery {
                     auto made = work->made.get_future();
                     while (made.wait_for(kCancelPoll) != std::future_status::ready) {
                         progress.report(work->drawn_share);
@@ -178,7 +188,8 @@ void Session::save_view(const fs::path& path, const ViewState& state) {
                     }
                     const Result<render::StillMean> mean = made.get();
                     if (!mean) return [this, error = mean.error()] { report_job_failure(error); };
-                    const Status written = io::write_image_file(path, render::srgb_image(*mean));
+                    const Status written = io::write_image_file(
+                        path, linear ? render::linear_image(*mean) : render::srgb_image(*mean));
                     return [this, path, written] {
                         if (!written) return report_job_failure(written.error());
                         toast(ToastKind::Done, "Saved " + path.filename().string());

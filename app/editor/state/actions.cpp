@@ -78,7 +78,7 @@ constexpr std::array kActions = {
     ActionInfo{Action::ShowUv, Menu::View, icon::kGrid, "UV checker", "U", Needs::Document},
     ActionInfo{Action::ShowWires, Menu::View, nullptr, "Wires", "W", Needs::Document},
     ActionInfo{Action::ShowLights, Menu::View, icon::kSun, "Lights", "", Needs::Document},
-    ActionInfo{Action::SaveView, Menu::View, icon::kCamera, "Save the view as PNG\u2026", "", Needs::Document},
+    ActionInfo{Action::SaveView, Menu::View, icon::kCamera, "Save the view\u2026", "", Needs::Document},
     ActionInfo{Action::HidePanels, Menu::View, nullptr, "Hide or show panels", "F10", Nothing, true},
     ActionInfo{Action::ShowLog, Menu::View, nullptr, "Log", "", Nothing},
     ActionInfo{Action::ResetLayout, Menu::View, nullptr, "Reset the layout", "", Nothing},

@@ -88,7 +88,7 @@ Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& vie
                 .tooltip = "Opens the lights in the Material tab",
                 .enabled = open}))
         requests.ask(Action::ShowLights);
-    if (button({.icon = icon::kCamera, .label = "Save the view as PNG", .enabled = open}))
+    if (button({.icon = icon::kCamera, .label = "Save the view", .enabled = open}))
         requests.ask(Action::SaveView);
     return requests;
 }
