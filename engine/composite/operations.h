@@ -125,6 +125,7 @@ struct SourceRecord {
     Projection projection = {};   ///< of the coordinates that the matrix takes
     float length_per_uv = 1.0f;   ///< of what is projected: see UvSurface
     std::array<UniformPlane, 3> constant = {};  ///< of a ConstantSource, as `reading` says
+    glm::vec3 mean = glm::vec3(0.0f);           ///< procedural_mean of a ProceduralSource
     /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.
     glm::vec3 to_u = glm::vec3(1.0f, 0.0f, 0.0f);
     glm::vec3 to_v = glm::vec3(0.0f, 1.0f, 0.0f);

@@ -52,35 +52,10 @@ void set_ramp(const std::vector<RampStop>& ramp, ProceduralTask& task) {
     }
 }
 
-/// The longer side of a texel in cells.
-float texel_width(const SourceRecord& record, const Cells& cells, float size) {
-    const auto columns = static_cast<float>(cells.columns);
-    const auto rows = static_cast<float>(cells.rows);
-    const auto length = [&](float u, float v) {
-        return std::sqrt(u * u * columns * columns + v * v * rows * rows);
-    };
-    return std::max(length(record.to_u.x, record.to_v.x), length(record.to_u.y, record.to_v.y)) /
-           size;
-}
-
-}  // namespace
-
-void procedural_tile(const SourceRecord& record, const TileSpan& span, const TileCoordinates& at,
-                     float* const planes[3]) {
-    const auto& source = std::get<ProceduralSource>(record.source);
-    const float size = static_cast<float>(span.size);
-    const float v = (static_cast<float>(span.y) + 0.5f) / size;
+/// All that is the same in every texel of every size; of a row as wide as the texture at first.
+ProceduralTask task_of(const ProceduralSource& source) {
     const Cells cells = cells_of(source);
-    ProceduralTask task{.x = span.x,
-                        .count = span.count,
-                        .size = size,
-                        .u_of_row = record.to_u.y * v + record.to_u.z,
-                        .v_of_row = record.to_v.y * v + record.to_v.z,
-                        .u_per_u = record.to_u.x,
-                        .v_per_u = record.to_v.x,
-                        .u = at.u,
-                        .v = at.v,
-                        .kind = source.kind,
+    ProceduralTask task{.kind = source.kind,
                         .seed = source.seed,
                         .columns = cells.columns,
                         .rows = cells.rows,
@@ -89,14 +64,80 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, const Til
                         .softness = source.softness,
                         .variation = source.variation,
                         .warp = source.warp,
-                        .footprint = texel_width(record, cells, size) *
-                                     (at.u != nullptr ? record.length_per_uv : 1.0f),
                         .contrast = source.contrast,
-                        .balance = source.balance,
-                        .scalar = !is_vector(record.reading),
-                        .encode = record.reading == Reading::EncodedColor,
-                        .normalise = record.reading == Reading::Normal};
+                        .balance = source.balance};
     set_ramp(source.ramp, task);
+    return task;
+}
+
+/// The longer side of a texel in cells.
+float texel_width(const SourceRecord& record, const ProceduralTask& task) {
+    const auto columns = static_cast<float>(task.columns);
+    const auto rows = static_cast<float>(task.rows);
+    const auto length = [&](float u, float v) {
+        return std::sqrt(u * u * columns * columns + v * v * rows * rows);
+    };
+    return std::max(length(record.to_u.x, record.to_v.x), length(record.to_u.y, record.to_v.y)) /
+           task.size;
+}
+
+/// Points that lie evenly in the texture and on no grid that its cells could lie on too: multiples
+/// of the plastic number's inverses (Martin Roberts, "The unreasonable effectiveness of quasirandom
+/// sequences", 2018).
+struct EvenPoints {
+    alignas(64) float u[kTileTexels];
+    alignas(64) float v[kTileTexels];
+};
+const EvenPoints& even_points() {
+    static const EvenPoints points = [] {
+        EvenPoints made;
+        const auto fraction = [](double value) {
+            return static_cast<float>(value - std::floor(value));
+        };
+        for (int i = 0; i < kTileTexels; ++i) {
+            made.u[i] = fraction(0.5 + i * 0.7548776662466927);
+            made.v[i] = fraction(0.5 + i * 0.5698402909980532);
+        }
+        return made;
+    }();
+    return points;
+}
+
+}  // namespace
+
+glm::vec3 procedural_mean(const ProceduralSource& source, bool scalar) {
+    ProceduralTask task = task_of(source);
+    task.count = kTileTexels;
+    task.u = even_points().u;
+    task.v = even_points().v;
+    task.scalar = scalar;
+    alignas(64) float values[3][kTileTexels] = {};
+    float* const planes[3] = {values[0], values[1], values[2]};
+    run_procedural(task, planes);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < kTileTexels; ++i)
+        sum += glm::dvec3(values[0][i], values[1][i], values[2][i]);
+    return glm::vec3(sum / double{kTileTexels});
+}
+
+void procedural_tile(const SourceRecord& record, const TileSpan& span, const TileCoordinates& at,
+                     float* const planes[3]) {
+    ProceduralTask task = task_of(std::get<ProceduralSource>(record.source));
+    task.x = span.x;
+    task.count = span.count;
+    task.size = static_cast<float>(span.size);
+    const float v = (static_cast<float>(span.y) + 0.5f) / task.size;
+    task.u_of_row = record.to_u.y * v + record.to_u.z;
+    task.v_of_row = record.to_v.y * v + record.to_v.z;
+    task.u_per_u = record.to_u.x;
+    task.v_per_u = record.to_v.x;
+    task.u = at.u;
+    task.v = at.v;
+    task.footprint = texel_width(record, task) * (at.u != nullptr ? record.length_per_uv : 1.0f);
+    for (int k = 0; k < 3; ++k) task.mean[k] = record.mean[k];
+    task.scalar = !is_vector(record.reading);
+    task.encode = record.reading == Reading::EncodedColor;
+    task.normalise = record.reading == Reading::Normal;
     run_procedural(task, planes);
 }
 

@@ -19,6 +19,7 @@ using formulae::NoisePlace;
 using formulae::Octave;
 using formulae::Pattern;
 using formulae::Real2;
+using formulae::Shown;
 
 formulae::Ramp ramp_of(const ProceduralTask& task) {
     formulae::Ramp ramp;
@@ -329,7 +330,7 @@ HWY_NOINLINE HWY_FLATTEN void grunge_run(const Pattern& pattern, const Places& p
 /// One of the patterns that fade to their mean as a whole.
 template <int kKind>
 HWY_NOINLINE HWY_FLATTEN void sharp_run(const Pattern& unbent, const Places& places, float* plane) {
-    const formulae::Shown shown = formulae::pattern_shown(unbent);
+    const Shown shown = formulae::pattern_shown(unbent);
     if (shown.share == 0.0f) return fill(shown.mean, places.count, plane);
     Pattern pattern = formulae::bent_pattern(unbent);
     pattern.kind = kKind;  // a constant: no lane asks which kind it is
@@ -340,7 +341,7 @@ HWY_NOINLINE HWY_FLATTEN void sharp_run(const Pattern& unbent, const Places& pla
 
 HWY_NOINLINE HWY_FLATTEN void cracks_run(const Pattern& unbent, const Places& places,
                                          float* plane) {
-    const formulae::Shown shown = formulae::pattern_shown(unbent);
+    const Shown shown = formulae::pattern_shown(unbent);
     if (shown.share == 0.0f) return fill(shown.mean, places.count, plane);
     const Pattern pattern = formulae::bent_pattern(unbent);
     alignas(64) Plane slow;
@@ -355,7 +356,7 @@ HWY_NOINLINE HWY_FLATTEN void cracks_run(const Pattern& unbent, const Places& pl
 
 HWY_NOINLINE HWY_FLATTEN void scratches_run(const Pattern& unbent, const Places& places,
                                             float* plane) {
-    const formulae::Shown shown = formulae::pattern_shown(unbent);
+    const Shown shown = formulae::pattern_shown(unbent);
     if (shown.share == 0.0f) return fill(shown.mean, places.count, plane);
     const Pattern pattern = formulae::bent_pattern(unbent);
     const auto layer_run = [&](int layer, float* values) {
@@ -430,41 +431,56 @@ void pattern_run(ProceduralKind kind, const Pattern& pattern, const Places& at, 
     }
 }
 
+Pattern pattern_of(const ProceduralTask& task) {
+    return {static_cast<int>(task.kind),
+            task.columns,
+            task.rows,
+            task.seed,
+            task.octaves,
+            task.width,
+            task.softness,
+            task.variation,
+            task.warp,
+            task.footprint};
+}
+
 /// The pattern, before contrast and ramp.
-void pattern_of(const ProceduralTask& task, float* plane) {
-    const Pattern pattern = {static_cast<int>(task.kind),
-                             task.columns,
-                             task.rows,
-                             task.seed,
-                             task.octaves,
-                             task.width,
-                             task.softness,
-                             task.variation,
-                             task.warp,
-                             task.footprint};
+void show_pattern(const ProceduralTask& task, const Pattern& pattern, float* plane) {
     Places places;
     find_places(task, places);
     if (task.warp != 0.0f) warp(pattern, places);
     pattern_run(task.kind, pattern, places, plane);
 }
 
-HWY_INLINE Real contrasted_at(const ProceduralTask& task, const float* plane, int i) {
-    const Real value = load(plane + i);
+HWY_INLINE Real contrasted_at(const ProceduralTask& task, const Shown& shown, const float* plane,
+                              int i) {
+    const Real value = formulae::spread_pattern(shown, load(plane + i));
     if (task.contrast == 0.0f) return value;
     return formulae::contrasted(value, task.contrast, task.balance);
 }
 
-HWY_NOINLINE HWY_FLATTEN void scalar_ramp(const ProceduralTask& task, float* plane) {
+HWY_NOINLINE HWY_FLATTEN void scalar_ramp(const ProceduralTask& task, const Shown& shown,
+                                          float* plane) {
     const formulae::Ramp ramp = ramp_of(task);
-    for (int i = 0; i < task.count; i += static_cast<int>(lane_count()))
-        store(formulae::ramp_scalar(ramp, contrasted_at(task, plane, i)), plane + i);
+    for (int i = 0; i < task.count; i += static_cast<int>(lane_count())) {
+        const Real value = formulae::ramp_scalar(ramp, contrasted_at(task, shown, plane, i));
+        store(formulae::faded_result(shown, value, task.mean[0]), plane + i);
+    }
+}
+
+HWY_INLINE Real3 faded_color(const Shown& shown, const Real3& value, const float (&mean)[3]) {
+    return {formulae::faded_result(shown, value.x, mean[0]),
+            formulae::faded_result(shown, value.y, mean[1]),
+            formulae::faded_result(shown, value.z, mean[2])};
 }
 
 /// From the pattern in planes[0].
-HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, float* const* planes) {
+HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, const Shown& shown,
+                                          float* const* planes) {
     const formulae::Ramp ramp = ramp_of(task);
     for (int i = 0; i < task.count; i += static_cast<int>(lane_count())) {
-        Real3 value = formulae::ramp_color(ramp, contrasted_at(task, planes[0], i));
+        Real3 value = formulae::ramp_color(ramp, contrasted_at(task, shown, planes[0], i));
+        value = faded_color(shown, value, task.mean);
         if (task.encode) value = formulae::srgb_from_linear(value);
         if (task.normalise) value = formulae::unit_normal(value);
         store(value, planes, static_cast<std::size_t>(i));
@@ -472,8 +488,10 @@ HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, float* con
 }
 
 void run(const ProceduralTask& task, float* const* planes) {
-    pattern_of(task, planes[0]);
-    task.scalar ? scalar_ramp(task, planes[0]) : vector_ramp(task, planes);
+    const Pattern pattern = pattern_of(task);
+    const Shown shown = formulae::pattern_shown(pattern);
+    show_pattern(task, pattern, planes[0]);
+    task.scalar ? scalar_ramp(task, shown, planes[0]) : vector_ramp(task, shown, planes);
 }
 
 }  // namespace

@@ -39,6 +39,8 @@ struct ProceduralTask {
     int stop_count = 1;
     float stop_positions[kMaxRampStops] = {};
     float stop_values[kMaxRampStops][3] = {};
+    /// Of what contrast and ramp make of the whole pattern, linear: see procedural_mean.
+    float mean[3] = {};
 
     bool scalar = true;      ///< one plane, else three
     bool encode = false;     ///< colours become sRGB-encoded

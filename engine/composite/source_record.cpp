@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "composite/procedural.h"
 #include "composite/uniform_values.h"
 
 namespace patina {
@@ -64,8 +65,10 @@ SourceRecord source_record(const Source& source, Reading reading) {
     }
     if (const auto* const image = std::get_if<ImageSource>(&source))
         set_transform(image->transform, record);
-    if (const auto* const procedural = std::get_if<ProceduralSource>(&source))
+    if (const auto* const procedural = std::get_if<ProceduralSource>(&source)) {
         set_transform(procedural->transform, record);
+        record.mean = procedural_mean(*procedural, !is_vector(reading));
+    }
     return record;
 }
 

@@ -41,6 +41,21 @@ struct Pattern {
     float footprint;  // width of a texel in cells
 };
 
+/// How much of a pattern's detail about its mean is shown.
+struct Shown {
+    float share;  // 0..1
+    float mean;   // what it fades to
+};
+Shown shown_about(float mean, float share) {
+    Shown shown;
+    shown.mean = mean;
+    shown.share = share;
+    return shown;
+}
+Real faded_pattern(Shown shown, Real value) {
+    return shown.mean + (value - shown.mean) * shown.share;
+}
+
 /// 0 outside an edge, 1 inside, from `distance` inside (negative outside), over `width`.
 Real soft_edge(Real distance, float width) {
     Real t = clamp(distance / width + 0.5f, 0.0f, 1.0f);
@@ -397,17 +412,23 @@ float wood_fibre_shown(Pattern pattern) {
     return octave_visibility(pattern.footprint * 8.0f);
 }
 
+/// The width of a texel among the rings: the bend makes them denser in places, by at most some four
+/// times.
+float ring_texel(Pattern pattern) {
+    return max(pattern.footprint * (1.0f + 3.0f * pattern.variation), 1e-4f);
+}
+Shown rings_shown(Pattern pattern) {
+    return shown_about(0.25f, octave_visibility(ring_texel(pattern)));
+}
+
 /// Year rings from the values of those noises.
 Real wood_rings_of(Pattern pattern, Real2 position, Real slow, Real faster, Real fibre) {
     Real bend = slow - 0.5f + 0.25f * (faster - 0.5f);
     Real ring = position.y + pattern.variation * 6.0f * bend;
     Real year = ring - floor(ring);
-    // The bend makes rings denser in places: by at most some four times.
-    float texel = max(pattern.footprint * (1.0f + 3.0f * pattern.variation), 1e-4f);
-    float fall = max(pattern.softness, texel);
+    float fall = max(pattern.softness, ring_texel(pattern));
     Real value = min(year * year * (0.35f + 0.65f * year), (1.0f - year) / fall);
-    float shown = octave_visibility(texel);
-    value = 0.25f + (value - 0.25f) * shown;
+    value = faded_pattern(rings_shown(pattern), value);
     return clamp(value + wood_fibre_shown(pattern) * 0.35f * (fibre - 0.5f), 0.0f, 1.0f);
 }
 
@@ -426,17 +447,22 @@ SideNoise marble_bend(Pattern pattern) {
     return side_noise(scale, scale, bends, bends, derived_seed(pattern.seed, 2));
 }
 
+/// How fast a vein falls off from its middle: narrow ones fast.
+float vein_fall(Pattern pattern) {
+    return 1.0f / (0.1f + 0.9f * pattern.width);
+}
+Shown veins_shown(Pattern pattern) {
+    return shown_about(0.333f / vein_fall(pattern),
+                       octave_visibility(pattern.footprint * (1.0f + 3.0f * pattern.variation)));
+}
+
 /// Marble from that noise and from turbulence.
 Real marble_of(Pattern pattern, Real2 position, Real slow, Real fray) {
     Real bend = slow - 0.5f;
     Real t = position.x + pattern.variation * (3.0f * bend + 1.5f * fray);
     Real ridge = abs(2.0f * fract(t) - 1.0f);
-    // 1 in the middle of a vein: narrow ones fall off fast.
-    float sharp = 1.0f / (0.1f + 0.9f * pattern.width);
-    Real vein = clamp(1.0f - (1.0f - ridge) * sharp, 0.0f, 1.0f);
-    float shown = octave_visibility(pattern.footprint * (1.0f + 3.0f * pattern.variation));
-    float mean = 0.333f / sharp;
-    return mean + (vein * vein - mean) * shown;
+    Real vein = clamp(1.0f - (1.0f - ridge) * vein_fall(pattern), 0.0f, 1.0f);
+    return faded_pattern(veins_shown(pattern), vein * vein);
 }
 
 /// Octaves of a noise beside a pattern.
@@ -557,19 +583,47 @@ Real sharp_pattern(Pattern pattern, Real2 position) {
     return cracks(pattern, position);
 }
 
-/// A pattern of cells as `sharp_pattern` gives it, and how much of it is shown.
-struct Shown {
-    float share;
-    float mean;  // what it fades to
-};
-Shown pattern_shown(Pattern pattern) {
-    Shown shown;
-    shown.share = octave_visibility(pattern.footprint);
-    shown.mean = pattern_mean(pattern);
-    return shown;
+/// The same of octaves: they vary independently, so what is left of their deviation is the root of
+/// what is left of their squares.
+Shown octaves_shown(int kind, int octaves, float gain, float footprint) {
+    float whole = 0.0f;
+    float left = 0.0f;
+    Octave octave = first_octave(footprint);
+    for (int i = 0; i < octaves; ++i) {
+        whole = whole + octave.strength * octave.strength;
+        left = left + octave.shown * octave.shown;
+        octave = next_octave(octave, gain, footprint);
+    }
+    return shown_about(noise_mean(kind), sqrt(left / whole));
 }
-Real faded_pattern(Shown shown, Real value) {
-    return shown.mean + (value - shown.mean) * shown.share;
+
+/// What `pattern_at` shows of a pattern.
+Shown pattern_shown(Pattern pattern) {
+    if (pattern.kind < PATTERN_GRADIENT_LINEAR)
+        return octaves_shown(pattern.kind, pattern.octaves, 0.5f, pattern.footprint);
+    if (pattern.kind == PATTERN_WOOD_RINGS) return rings_shown(pattern);
+    if (pattern.kind == PATTERN_MARBLE) return veins_shown(pattern);
+    if (pattern.kind == PATTERN_GRUNGE) {
+        SideOctaves clouds = grunge_clouds(pattern);
+        return octaves_shown(clouds.kind, clouds.octaves, clouds.gain, pattern.footprint);
+    }
+    return shown_about(pattern_mean(pattern), octave_visibility(pattern.footprint));
+}
+// Contrast and ramp come after the pattern. A value that has faded would pass them as another: what
+// lies on both sides of a threshold, faded, lies on one. So the value is spread again to the
+// deviation that the whole pattern has, and what contrast and ramp make of it fades to the mean of
+// what they make of the whole pattern. So every resolution shows the same on the whole.
+
+/// A value that has faded, spread again; the mean where nothing of it is shown.
+Real spread_pattern(Shown shown, Real value) {
+    if (shown.share == 1.0f) return value;
+    float spread = 1.0f / max(shown.share, 1e-3f);
+    return clamp(shown.mean + (value - shown.mean) * spread, 0.0f, 1.0f);
+}
+/// What contrast and ramp made of it, faded to the mean of what they make of the whole pattern.
+Real faded_result(Shown shown, Real value, float mean) {
+    if (shown.share == 1.0f) return value;
+    return mean + (value - mean) * shown.share;
 }
 
 /// A bend makes the pattern denser in places, and a texel wider in it.

@@ -5,8 +5,10 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "composite/procedural_kernels.h"
+#include "composite/small_stack.h"
 #include "composite/tile.h"
 #include "core/formulae/formulae.h"
 #include "document/choices.h"
@@ -30,7 +32,8 @@ ProceduralTask run_of(ProceduralKind kind, int size) {
             .footprint = 10.0f / static_cast<float>(size),
             .stop_count = 2,
             .stop_positions = {0.0f, 1.0f},
-            .stop_values = {{0.0f}, {1.0f}}};
+            .stop_values = {{0.0f}, {1.0f}},
+            .mean = {0.4f}};
 }
 
 formulae::Pattern pattern_of(const ProceduralTask& task) {
@@ -52,9 +55,12 @@ float expected(const ProceduralTask& task, float u, float v) {
     ramp.count = task.stop_count;
     for (int stop = 0; stop < task.stop_count; ++stop)
         ramp.stops[stop] = {task.stop_positions[stop], task.stop_values[stop][0], 0.0f, 0.0f};
-    return formulae::ramp_scalar(
-        ramp, formulae::pattern_value(pattern_of(task), {u * static_cast<float>(task.columns),
-                                                         v * static_cast<float>(task.rows)}));
+    const formulae::Pattern pattern = pattern_of(task);
+    const formulae::Shown shown = formulae::pattern_shown(pattern);
+    const float value = formulae::pattern_value(
+        pattern, {u * static_cast<float>(task.columns), v * static_cast<float>(task.rows)});
+    return formulae::faded_result(
+        shown, formulae::ramp_scalar(ramp, formulae::spread_pattern(shown, value)), task.mean[0]);
 }
 float expected(const ProceduralTask& task, int i) {
     const float u = (static_cast<float>(task.x + i) + 0.5f) / task.size;
@@ -101,6 +107,32 @@ TEST(Procedurals, PlacesThatAProjectionScattersAreLookedUpOneByOne) {
     task.v = v;
     run_procedural(task, planes);
     for (int i = 0; i < task.count; ++i) ASSERT_EQ(scattered[i], expected(task, u[i], v[i]));
+}
+
+double mean_of(const ProceduralSource& source, int size) {
+    Layer layer{.id = {1}};
+    set(layer, Channel::Roughness, source);
+    const PixelVector<float> values =
+        plane(stack_of({shared(std::move(layer))}), Channel::Roughness, size);
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Contrast and ramp come after the pattern: what is lost of it must not shift what they make of
+/// it.
+TEST(Procedurals, AThresholdLetsAsMuchPassAtEverySize) {
+    for (const auto& kind : kProceduralKinds) {
+        ProceduralSource source{.kind = kind.value, .scale = 64.0f, .octaves = 3};
+        source.contrast = 0.9f;
+        const double large = mean_of(source, 2048);
+        for (const int size : {64, 128, 256, 512})
+            EXPECT_NEAR(mean_of(source, size), large, 0.04) << kind.id << " at " << size;
+    }
+}
+
+TEST(Procedurals, ThoseTooFineToBeSeenAreTheMeanOfTheirRamp) {
+    ProceduralSource source{.kind = ProceduralKind::Spots, .scale = 512.0f};
+    source.ramp = {{0.0f, glm::vec3(0.2f)}, {0.6f, glm::vec3(0.2f)}, {0.6f, glm::vec3(0.9f)}};
+    EXPECT_NEAR(mean_of(source, 32), mean_of(source, 4096), 0.01);
 }
 
 }  // namespace
