@@ -47,7 +47,11 @@ struct Material {
     float ior = 1.5f;                                   ///< KHR_materials_ior
     float specular_factor = 1.0f;                       ///< KHR_materials_specular
     glm::vec3 specular_color_linear = glm::vec3(1.0f);  ///< KHR_materials_specular
-    float emissive_strength = 1.0f;                     ///< KHR_materials_emissive_strength
+    /// Textures of that extension, as the file has them: shown and kept, not edited. The first
+    /// one's alpha multiplies the factor, the second one's colour (sRGB) the colour.
+    std::optional<ImageSource> specular_map = {};
+    std::optional<ImageSource> specular_color_map = {};
+    float emissive_strength = 1.0f;  ///< KHR_materials_emissive_strength
     /// Index in the glTF file, or kFirstAddedMaterial and beyond for one that an edit added; unset
     /// for the material that stands for primitives without one. What the renderer knows it by.
     std::optional<int> source_material;

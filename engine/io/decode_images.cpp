@@ -30,6 +30,8 @@ std::vector<bool> images_to_decode(const Model& model) {
         };
         const MaterialValues values = material_values(material);
         for (const TextureUse* use : values.slots()) want(*use);
+        want(values.specular);
+        want(values.specular_color);
         const auto& glossiness =
             extension_of(material.extensions, "KHR_materials_pbrSpecularGlossiness");
         want(texture_use(glossiness, "diffuseTexture"));

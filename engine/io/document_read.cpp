@@ -206,11 +206,15 @@ class DocumentReader {
         if (record->lights) document_.lights = *record->lights;
     }
 
+    void keep_image(const Hash128& hash) {
+        const auto known = known_images_.find(hash);
+        if (known != known_images_.end()) document_.images.insert(*known);
+    }
+
     void keep_images(const Material& material) {
-        for (const Hash128& hash : images_of(material.stack)) {
-            const auto known = known_images_.find(hash);
-            if (known != known_images_.end()) document_.images.insert(*known);
-        }
+        for (const Hash128& hash : images_of(material.stack)) keep_image(hash);
+        for (const auto* map : {&material.specular_map, &material.specular_color_map})
+            if (*map) keep_image((*map)->image);
     }
 
     const DocumentParts& parts_;

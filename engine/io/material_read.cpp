@@ -46,6 +46,14 @@ ImageSource image_source(const Model& model, const TextureUse& use, const ImageA
     return source;
 }
 
+/// What a use of a texture shows, where it shows an image.
+std::optional<ImageSource> shown_image(const Model& model, const TextureUse& use,
+                                       const FileImages& images, const Reading& reading) {
+    const ImageAssetPtr image = image_of(model, use, images);
+    if (!image) return std::nullopt;
+    return image_source(model, use, *image, reading);
+}
+
 /// Builds the layer "Imported textures" of one material.
 class ImportedLayer {
   public:
@@ -74,9 +82,8 @@ class ImportedLayer {
              const glm::vec3& constant) {
         ChannelSettings& settings = at(layer_.channels, channel);
         settings.enabled = true;
-        const ImageAssetPtr image = image_of(model_, use, images_);
-        if (image)
-            settings.source = image_source(model_, use, *image, reading);
+        if (const auto image = shown_image(model_, use, images_, reading))
+            settings.source = *image;
         else
             settings.source = ConstantSource{constant};
     }
@@ -159,6 +166,10 @@ Material imported_material(const Model& model, int index, const FileImages& imag
     material.ior = source.ior;
     material.specular_factor = source.specular_factor;
     material.specular_color_linear = source.specular_color_factor;
+    material.specular_map =
+        shown_image(model, source.specular, images, {.pick = ChannelPick::Alpha});
+    material.specular_color_map =
+        shown_image(model, source.specular_color, images, {.color_space = ColorSpace::Srgb});
     material.emissive_strength = source.emissive_strength;
     material.source_material = index;
     return material;

@@ -27,6 +27,8 @@ void read_extensions(const tinygltf::ExtensionMap& extensions, MaterialValues& v
     values.specular_factor = factor(number_in(specular, "specularFactor", 1.0));
     numbers_in(specular, "specularColorFactor", std::span(&values.specular_color_factor.x, 3));
     values.specular_color_factor = glm::clamp(values.specular_color_factor, 0.0f, kLargest);
+    values.specular = texture_use(specular, "specularTexture");
+    values.specular_color = texture_use(specular, "specularColorTexture");
     const auto& strength = extension_of(extensions, "KHR_materials_emissive_strength");
     values.emissive_strength = factor(number_in(strength, "emissiveStrength", 1.0), kLargest);
 }

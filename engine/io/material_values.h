@@ -30,10 +30,12 @@ struct MaterialValues {
     bool unlit = false;
     float ior = 1.5f;
     float specular_factor = 1.0f;
+    TextureUse specular;
     glm::vec3 specular_color_factor = glm::vec3(1.0f);
+    TextureUse specular_color;
     float emissive_strength = 1.0f;
 
-    /// The slots, the base colour's first.
+    /// The slots that layers make maps for, the base colour's first.
     std::array<const TextureUse*, 5> slots() const {
         return {&base_color, &metallic_roughness, &normal, &occlusion, &emissive};
     }

@@ -8,8 +8,20 @@ namespace patina::render {
 namespace {
 
 constexpr int kMaterialBlockSlot = 0;
-constexpr std::array<const char*, kSlotCount> kSamplerNames = {
-    "base_color_map", "metallic_roughness_map", "normal_map", "occlusion_map", "emissive_map"};
+constexpr std::array<const char*, kTextureCount> kSamplerNames = {
+    "base_color_map", "metallic_roughness_map", "normal_map",        "occlusion_map",
+    "emissive_map",   "specular_map",           "specular_color_map"};
+
+/// All that has a texture, in the order of kSamplerNames.
+std::array<SurfaceSlot, kTextureCount> slots_of(const SurfaceMaterial& surface) {
+    std::array<SurfaceSlot, kTextureCount> slots;
+    std::copy(surface.slots.begin(), surface.slots.end(), slots.begin());
+    slots[kSlotCount] = {.texture = surface.specular_map,
+                         .multiply = {1.0f, 1.0f, 1.0f, surface.specular_factor}};
+    slots[kSlotCount + 1] = {.texture = surface.specular_color_map,
+                             .multiply = {surface.specular_color_linear, 1.0f}};
+    return slots;
+}
 
 /// Laid out as `MaterialBlock` in passes/material.glsl (std140: everything is four floats).
 struct SlotBlock {
@@ -19,12 +31,11 @@ struct SlotBlock {
     glm::vec4 uv_row_v;  ///< v' likewise; w: 1 where there is a texture
 };
 struct MaterialBlock {
-    std::array<SlotBlock, kSlotCount> slots;
+    std::array<SlotBlock, kTextureCount> slots;
     glm::vec4 alpha;         ///< x: AlphaMode, y: cutoff, z: 1 when double-sided, w: 1 when unlit
-    glm::vec4 specular;      ///< KHR_materials_specular: colour, factor
     glm::vec4 ior_emissive;  ///< x: IOR, y: emissive strength
 };
-static_assert(sizeof(MaterialBlock) == sizeof(glm::vec4) * (4 * kSlotCount + 3));
+static_assert(sizeof(MaterialBlock) == sizeof(glm::vec4) * (4 * kTextureCount + 2));
 
 /// KHR_texture_transform: translation * rotation * scale, with its matrix's signs.
 SlotBlock slot_block(const SurfaceSlot& slot) {
@@ -42,10 +53,10 @@ SlotBlock slot_block(const SurfaceSlot& slot) {
 
 MaterialBlock material_block(const SurfaceMaterial& surface) {
     MaterialBlock block = {};
-    std::transform(surface.slots.begin(), surface.slots.end(), block.slots.begin(), slot_block);
+    const auto slots = slots_of(surface);
+    std::transform(slots.begin(), slots.end(), block.slots.begin(), slot_block);
     block.alpha = {static_cast<float>(surface.alpha_mode), surface.alpha_cutoff,
                    surface.double_sided ? 1.0f : 0.0f, surface.unlit ? 1.0f : 0.0f};
-    block.specular = {surface.specular_color_linear, surface.specular_factor};
     block.ior_emissive = {surface.ior, surface.emissive_strength, 0.0f, 0.0f};
     return block;
 }
@@ -152,7 +163,7 @@ Result<GpuMaterials> GpuMaterials::make() {
 
 bool GpuMaterials::used_elsewhere(const ImagePtr& pixels, int source_material) const {
     return std::any_of(materials_.begin(), materials_.end(), [&](const auto& entry) {
-        const auto& slots = entry.second.surface.slots;
+        const auto slots = slots_of(entry.second.surface);
         return entry.first != source_material &&
                std::any_of(slots.begin(), slots.end(),
                            [&](const SurfaceSlot& slot) { return slot.texture.pixels == pixels; });
@@ -188,18 +199,19 @@ Result<GpuTexturePtr> GpuMaterials::texture_of(const TextureKey& wanted,
 Status GpuMaterials::set(int source_material, const SurfaceMaterial& surface,
                          const std::optional<TexelRect>& changed) {
     const auto before = materials_.find(source_material);
-    std::array<GpuTexturePtr, kSlotCount> textures;
+    const bool known = before != materials_.end();
+    const auto slots = slots_of(surface);
+    const auto slots_before = known ? slots_of(before->second.surface) : slots;
+    std::array<GpuTexturePtr, kTextureCount> textures;
     for (std::size_t i = 0; i < textures.size(); ++i) {
-        const bool known = before != materials_.end();
         Result<GpuTexturePtr> texture =
-            texture_of({surface.slots[i].texture.pixels, meaning_of(surface.slots[i].texture, i)},
+            texture_of({slots[i].texture.pixels, meaning_of(slots[i].texture, i)},
                        known ? before->second.textures[i] : nullptr,
-                       known ? before->second.surface.slots[i].texture.pixels : nullptr,
-                       source_material, changed);
+                       known ? slots_before[i].texture.pixels : nullptr, source_material, changed);
         if (!texture) return passed_on(texture);
         textures[i] = *texture;
     }
-    if (before == materials_.end()) {
+    if (!known) {
         materials_.emplace(source_material,
                            GpuMaterial{surface, std::move(textures), block_buffer(surface)});
     } else {
@@ -228,7 +240,8 @@ const GpuMaterial& GpuMaterials::at(int source_material) const {
 
 bool GpuMaterials::any_needs_surface_target() const {
     return std::any_of(materials_.begin(), materials_.end(), [](const auto& entry) {
-        return entry.second.surface.unlit || entry.second.surface.specular_factor != 1.0f;
+        const SurfaceMaterial& surface = entry.second.surface;
+        return surface.unlit || surface.specular_factor != 1.0f || surface.specular_map.pixels;
     });
 }
 
@@ -245,10 +258,11 @@ const gl::Sampler& GpuMaterials::sampler_of(const SurfaceTexture& texture) const
 void GpuMaterials::bind(gl::Pass& pass, gl::Program& program, const GpuMaterial& material) const {
     program.set_block("MaterialBlock", kMaterialBlockSlot);
     pass.bind_block(kMaterialBlockSlot, material.block);
+    const auto slots = slots_of(material.surface);
     for (std::size_t i = 0; i < material.textures.size(); ++i)
         pass.bind_texture(program, kSamplerNames[i], static_cast<int>(i),
                           material.textures[i] ? material.textures[i]->texture : white_,
-                          &sampler_of(material.surface.slots[i].texture));
+                          &sampler_of(slots[i].texture));
 }
 
 }  // namespace patina::render

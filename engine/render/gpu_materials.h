@@ -26,10 +26,13 @@ struct GpuTexture {
 };
 using GpuTexturePtr = std::shared_ptr<GpuTexture>;
 
+/// The slots of glTF's core, then KHR_materials_specular's two.
+inline constexpr std::size_t kTextureCount = kSlotCount + 2;
+
 struct GpuMaterial {
     SurfaceMaterial surface;
-    std::array<GpuTexturePtr, kSlotCount> textures;  ///< null where a slot has none
-    gl::Buffer block;                                ///< `MaterialBlock` of passes/material.glsl
+    std::array<GpuTexturePtr, kTextureCount> textures;  ///< null where a slot has none
+    gl::Buffer block;                                   ///< `MaterialBlock` of passes/material.glsl
 };
 
 class GpuMaterials {
@@ -46,7 +49,7 @@ class GpuMaterials {
     bool any_needs_surface_target() const;
     std::size_t texture_bytes() const;
 
-    /// Lets the program of a pass read a material. Takes texture units 0 to 4.
+    /// Lets the program of a pass read a material. Takes texture units 0 to 6.
     void bind(gl::Pass& pass, gl::Program& program, const GpuMaterial& material) const;
 
   private:

@@ -41,16 +41,19 @@ SurfaceSlot constant_slot(Slot slot, const SlotConstant& constant) {
     return {.texture = {}, .multiply = constant.value};
 }
 
+SurfaceTexture image_texture(const ImageSource& source, ImageProvider& images) {
+    return {.pixels = pixels_or_warning(source, images),
+            .srgb = source.color_space == ColorSpace::Srgb,
+            .uv_set = source.uv_set,
+            .transform = source.transform,
+            .wrap_u = source.wrap_u,
+            .wrap_v = source.wrap_v,
+            .filter = source.filter};
+}
+
 SurfaceSlot image_slot(Slot slot, const SlotImage& image, ImageProvider& images) {
-    const ImageSource& source = image.source;
-    const glm::vec3 add = source.add;
-    return {.texture = {.pixels = pixels_or_warning(source, images),
-                        .srgb = source.color_space == ColorSpace::Srgb,
-                        .uv_set = source.uv_set,
-                        .transform = source.transform,
-                        .wrap_u = source.wrap_u,
-                        .wrap_v = source.wrap_v,
-                        .filter = source.filter},
+    const glm::vec3 add = image.source.add;
+    return {.texture = image_texture(image.source, images),
             .multiply = factors_of(slot, image),
             .add = slot == Slot::MetallicRoughness ? glm::vec4(0.0f, add.x, 0.0f, 0.0f)
                                                    : glm::vec4(add, 0.0f)};
@@ -81,6 +84,9 @@ SurfaceMaterial surface_of(const Material& material, const std::array<SlotPlan, 
     surface.ior = material.ior;
     surface.specular_factor = material.specular_factor;
     surface.specular_color_linear = material.specular_color_linear;
+    if (material.specular_map) surface.specular_map = image_texture(*material.specular_map, images);
+    if (material.specular_color_map)
+        surface.specular_color_map = image_texture(*material.specular_color_map, images);
     surface.emissive_strength = material.emissive_strength;
     for (const Slot slot : kSlots) {
         const SlotPlan& plan = slots[static_cast<std::size_t>(slot)];

@@ -43,8 +43,10 @@ struct SurfaceMaterial {
     bool double_sided = false;
     bool unlit = false;
     float ior = 1.5f;
-    float specular_factor = 1.0f;
+    float specular_factor = 1.0f;  ///< times the alpha of specular_map
     glm::vec3 specular_color_linear = glm::vec3(1.0f);
+    SurfaceTexture specular_map = {};
+    SurfaceTexture specular_color_map = {};
     float emissive_strength = 1.0f;
 
     SurfaceSlot& operator[](Slot slot) { return slots[static_cast<std::size_t>(slot)]; }

@@ -24,9 +24,8 @@ struct MaterialSlot {
     vec4 uv_row_v;  // w: 1 where there is a texture
 };
 layout(std140) uniform MaterialBlock {
-    MaterialSlot slots[5];
+    MaterialSlot slots[7];
     vec4 alpha;         // mode (0 opaque, 1 mask, 2 blend), cutoff, double-sided, unlit
-    vec4 specular;      // colour, factor
     vec4 ior_emissive;  // IOR, emissive strength
 } material;
 
@@ -35,6 +34,8 @@ uniform sampler2D metallic_roughness_map;
 uniform sampler2D normal_map;
 uniform sampler2D occlusion_map;
 uniform sampler2D emissive_map;
+uniform sampler2D specular_map;
+uniform sampler2D specular_color_map;
 uniform float level_bias;  // of all of them: finer below 0
 
 const int SLOT_BASE_COLOR = 0;
@@ -42,6 +43,8 @@ const int SLOT_METALLIC_ROUGHNESS = 1;
 const int SLOT_NORMAL = 2;
 const int SLOT_OCCLUSION = 3;
 const int SLOT_EMISSIVE = 4;
+const int SLOT_SPECULAR = 5;        // alpha: the factor
+const int SLOT_SPECULAR_COLOR = 6;
 
 struct Material {
     vec3 base_color;
@@ -120,9 +123,10 @@ Material sampled_material() {
     if (FILTER_NORMALS == 1 && normal.variance > 0.0)
         m.roughness = roughness_with_variance(m.roughness, normal.variance);
     m.ior = material.ior_emissive.x;
-    m.f0 = material_f0(dielectric_f0(m.ior, material.specular.a, material.specular.rgb),
-                       m.base_color, m.metalness);
-    m.f90 = material_f90(material.specular.a, m.metalness);
+    float specular = slot_value(SLOT_SPECULAR, specular_map).a;
+    vec3 specular_color = slot_value(SLOT_SPECULAR_COLOR, specular_color_map).rgb;
+    m.f0 = material_f0(dielectric_f0(m.ior, specular, specular_color), m.base_color, m.metalness);
+    m.f90 = material_f90(specular, m.metalness);
     m.emissive = slot_value(SLOT_EMISSIVE, emissive_map).rgb * material.ior_emissive.y;
     m.occlusion = clamp(slot_value(SLOT_OCCLUSION, occlusion_map).x, 0.0, 1.0);
     return m;

@@ -218,7 +218,10 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
          {{"offset", {0.1, 0.2}}, {"scale", {2, 3}}, {"rotation", 1.5707963}, {"texCoord", 1}}}};
     source["extensions"] = {{"KHR_materials_ior", {{"ior", 1.33}}},
                             {"KHR_materials_specular",
-                             {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 0.25}}}},
+                             {{"specularFactor", 0.5},
+                              {"specularColorFactor", {1, 0.5, 0.25}},
+                              {"specularTexture", {{"index", 0}, {"texCoord", 1}}},
+                              {"specularColorTexture", {{"index", 0}}}}},
                             {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
                             {"KHR_materials_unlit", Json::object()}};
     const auto loaded = test::load_from(sample.json, sample.binary);
@@ -234,6 +237,10 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
     EXPECT_FLOAT_EQ(material.ior, 1.33f);
     EXPECT_FLOAT_EQ(material.specular_factor, 0.5f);
     EXPECT_EQ(material.specular_color_linear, glm::vec3(1, 0.5f, 0.25f));
+    ASSERT_TRUE(material.specular_map && material.specular_color_map);
+    EXPECT_EQ(material.specular_map->uv_set, 1);
+    EXPECT_EQ(material.specular_map->color_space, ColorSpace::Linear);
+    EXPECT_EQ(material.specular_color_map->color_space, ColorSpace::Srgb);
     EXPECT_FLOAT_EQ(material.emissive_strength, 4.0f);
 
     const auto base = std::get<ImageSource>(channel_of(material, Channel::BaseColor).source);

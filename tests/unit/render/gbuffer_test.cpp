@@ -75,6 +75,15 @@ TEST_F(GBufferTest, SpecularFactorAndColourScaleF0OfWhatIsNotMetal) {
     expect_near(middle(ChannelView::F0), {0.02f, 0.01f, 0.0f}, kHalfStep);
 }
 
+TEST_F(GBufferTest, SpecularMapsScaleTheFactorByAlphaAndTheColourByColour) {
+    SurfaceMaterial surface = constant_surface(glm::vec3(0.5f), 0.0f, 0.5f);
+    surface.specular_map.pixels = rgba_image(1, 1, {0, 0, 0, 128});
+    surface.specular_color_map = {.pixels = rgba_image(1, 1, {255, 188, 0, 255}), .srgb = true};
+    ASSERT_TRUE(renderer().set_material(0, surface));
+    const float half = 128.0f / 255.0f;
+    expect_near(middle(ChannelView::F0), {0.04f * half, 0.04f * half * 0.503f, 0.0f}, kHalfStep);
+}
+
 TEST_F(GBufferTest, PositionDepthAndNormalAreThoseOfTheSphere) {
     const glm::vec3 center(0.0f, 0.5f, 0.0f);
     const Image positions = channel(ChannelView::Position);
