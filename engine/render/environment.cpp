@@ -286,24 +286,29 @@ float prefiltered_roughness(float level_share) {
     return formulae::prefiltered_roughness(level_share);
 }
 
-Result<RadianceMap> filtered_map(const Image& equirect, FilterQuality quality) {
+Status set_map(const Image& equirect, FilteredEnvironment& environment, const Progress& progress) {
     Result<RadianceMap> map = radiance_map(equirect);
-    if (!map) return map;
-    const int face_size = face_size_for(map->width, settings_of(quality).largest_face);
-    return reduced_to_width(std::move(*map), 4 * face_size);
+    if (!map) return passed_on(map);
+    const int face_size = face_size_for(map->width, settings_of(environment.quality).largest_face);
+    const int finest_face = face_size_for(map->width, kBackdropFace);
+    if (environment.quality == FilterQuality::Finished && finest_face > face_size) {
+        *map = reduced_to_width(std::move(*map), 4 * finest_face);
+        environment.backdrop = {finest_face,
+                                {sharp_level(cube_level(*map, finest_face), progress)}};
+    }
+    environment.map =
+        std::make_shared<const RadianceMap>(reduced_to_width(std::move(*map), 4 * face_size));
+    return {};
 }
 
 Result<FilteredEnvironment> filter_environment(const Image& equirect, FilterQuality quality,
                                                const Progress& progress) {
     const FilterSettings settings = settings_of(quality);
-    Result<RadianceMap> map = filtered_map(equirect, quality);
-    if (!map) return passed_on(map);
     const int face_size = face_size_for(equirect.width, settings.largest_face);
-
     FilteredEnvironment environment;
     environment.source = content_hash(equirect);
     environment.quality = quality;
-    environment.map = std::make_shared<const RadianceMap>(std::move(*map));
+    if (const Status read = set_map(equirect, environment, progress); !read) return passed_on(read);
     const RadianceMap& whole = *environment.map;
     MapWithoutSuns parted = take_out_suns(whole);
     environment.suns = std::move(parted.suns);

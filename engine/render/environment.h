@@ -71,6 +71,9 @@ struct FilteredEnvironment {
     /// prefiltered_roughness(i / (levels - 1)). Level 0 is the map itself; the others, and
     /// `diffuse`, are without `suns`.
     HalfCube specular;
+    /// The map where it is finer than level 0, of up to kBackdropFace texels a side of a face: what
+    /// a sharp background shows. One level, or none.
+    HalfCube backdrop = {};
     /// Irradiance / pi: what a white Lambert surface sends out. One level.
     HalfCube diffuse;
     std::vector<EnvironmentSun> suns;  ///< at most kMostSuns
@@ -82,13 +85,17 @@ struct FilteredEnvironment {
     SkyShares sky = even_sky();  ///< sky_shares of `map` and `suns`
 };
 
+/// As fine as maps of 4096 texels around.
+inline constexpr int kBackdropFace = 1024;
 /// At most this many suns are taken out of a map, the strongest.
 inline constexpr std::size_t kMostSuns = 4;
 /// A key, a fill and a rim: what fixed-function artists set up.
 inline constexpr std::size_t kMostKeys = 3;
 
-/// FilteredEnvironment::map of an equirectangular map: what filter_environment filters.
-Result<RadianceMap> filtered_map(const Image& equirect, FilterQuality quality);
+/// Sets what is read of an equirectangular map and not filtered, `map` and `backdrop`, as
+/// `environment.quality` asks.
+Status set_map(const Image& equirect, FilteredEnvironment& environment,
+               const Progress& progress = {});
 
 /// Filters an equirectangular map of any size: 1 to 4 channels (grey or RGB; alpha is ignored), F32
 /// linear, or U8/U16 taken as sRGB. Peaks beyond 65504 are kept in all that is filtered; in the

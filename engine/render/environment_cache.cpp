@@ -129,7 +129,7 @@ Bytes payload_of(const FilteredEnvironment& environment) {
     return writer.bytes();
 }
 
-/// All but the map.
+/// All but the map and its backdrop.
 std::optional<FilteredEnvironment> environment_from(const Bytes& file, const Hash128& source) {
     Header header;
     if (file.size() < sizeof header) return std::nullopt;
@@ -213,9 +213,7 @@ std::optional<FilteredEnvironment> kept_environment(const EnvironmentCache& cach
     if (!bytes) return std::nullopt;
     std::optional<FilteredEnvironment> environment = environment_from(*bytes, source);
     if (!environment) return std::nullopt;
-    Result<RadianceMap> map = filtered_map(equirect, FilterQuality::Finished);
-    if (!map) return std::nullopt;
-    environment->map = std::make_shared<const RadianceMap>(std::move(*map));
+    if (!set_map(equirect, *environment)) return std::nullopt;
     environment->sky = sky_shares(*environment->map, environment->suns);
     fs::last_write_time(file, fs::file_time_type::clock::now(), error);
     return environment;

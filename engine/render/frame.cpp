@@ -152,9 +152,7 @@ SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side)
     if (!is_forward(state.drawn_view, shading))
         cost.gbuffer_bytes = state.gbuffer.plain.bytes() + state.gbuffer.with_surface.bytes();
     if (shading.model == ShadingModel::Pbr && state.environment)
-        cost.environment_bytes = state.environment->specular.bytes() +
-                                 state.environment->diffuse.bytes() +
-                                 tables_bytes(state, shading.terms);
+        cost.environment_bytes = state.environment->bytes() + tables_bytes(state, shading.terms);
     return cost;
 }
 

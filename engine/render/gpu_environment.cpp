@@ -16,6 +16,7 @@ constexpr int kSpecularUnit = 8;
 constexpr int kDiffuseUnit = 9;
 constexpr int kBrdfUnit = 10;
 constexpr int kDiffuseBrdfUnit = 13;
+constexpr int kBackdropUnit = 14;
 
 /// One with several levels reads linearly within and between them by itself; see gl::Texture.
 Result<gl::Texture> upload_cube(const HalfCube& cube, std::string label) {
@@ -54,7 +55,14 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
     if (!specular) return passed_on(specular);
     Result<gl::Texture> diffuse = upload_cube(environment.diffuse, "environment.diffuse");
     if (!diffuse) return passed_on(diffuse);
+    std::optional<gl::Texture> backdrop;
+    if (!environment.backdrop.levels.empty()) {
+        Result<gl::Texture> sharp = upload_cube(environment.backdrop, "environment.backdrop");
+        if (!sharp) return passed_on(sharp);
+        backdrop = std::move(*sharp);
+    }
     return GpuEnvironment{.specular = std::move(*specular),
+                          .backdrop = std::move(backdrop),
                           .diffuse = std::move(*diffuse),
                           .ambient_linear = environment.ambient_linear,
                           .keys = environment.keys,
@@ -63,6 +71,10 @@ Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment
                           .map = environment.map,
                           .sampling = environment.sampling,
                           .levels = static_cast<int>(environment.specular.levels.size())};
+}
+
+std::size_t GpuEnvironment::bytes() const {
+    return specular.bytes() + diffuse.bytes() + (backdrop ? backdrop->bytes() : 0);
 }
 
 Result<EnvironmentTables> upload_environment_tables(const PbrTerms& terms) {
@@ -118,6 +130,11 @@ void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment
                       const View& view) {
     pass.bind_texture(program, "specular_environment", kSpecularUnit, environment.specular);
     pass.bind_texture(program, "diffuse_environment", kDiffuseUnit, environment.diffuse, &linear);
+    if (environment.backdrop)
+        pass.bind_texture(program, "environment_sharp", kBackdropUnit, *environment.backdrop,
+                          &linear);
+    else
+        pass.bind_texture(program, "environment_sharp", kBackdropUnit, environment.specular);
     pass.bind_texture(program, "environment_brdf", kBrdfUnit, tables.mirrored, &linear);
     if (tables.diffuse)
         pass.bind_texture(program, "diffuse_brdf", kDiffuseBrdfUnit, *tables.diffuse, &linear);

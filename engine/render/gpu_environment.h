@@ -17,6 +17,7 @@ namespace patina::render {
 
 struct GpuEnvironment {
     gl::Texture specular;
+    std::optional<gl::Texture> backdrop;  ///< where it is finer than `specular`
     gl::Texture diffuse;
     glm::vec3 ambient_linear;
     std::vector<EnvironmentKey> keys;  ///< before rotation
@@ -25,6 +26,7 @@ struct GpuEnvironment {
     std::shared_ptr<const RadianceMap> map;
     std::shared_ptr<const EnvironmentSampling> sampling;  ///< until it is uploaded
     int levels = 1;
+    std::size_t bytes() const;  ///< of its textures
 };
 
 Result<GpuEnvironment> upload_environment(const FilteredEnvironment& environment);
@@ -42,7 +44,8 @@ glm::mat3 environment_from_world(float rotation_degrees);
 /// And back.
 glm::mat3 world_from_environment(float rotation_degrees);
 
-/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10, and 13.
+/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10, 13
+/// and 14.
 void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
                       const EnvironmentTables& tables, const gl::Sampler& linear, const View& view);
 

@@ -9,7 +9,8 @@
 
 // Constants: BACKGROUND_KIND, one of render::Background::Kind as below; those of shadows.glsl.
 
-uniform vec3 background_color;  // linear, on the screen
+uniform vec3 background_color;         // linear, on the screen
+uniform samplerCube environment_sharp;  // the map itself, in its first level
 
 uniform vec3 floor_center;   // the middle of the scene, on the floor
 uniform float floor_radius;  // of the scene
@@ -118,7 +119,9 @@ vec3 studio_backdrop(vec2 pixel) {
 vec3 environment_backdrop(vec2 pixel) {
     Ray ray = ray_through(pixel);
     vec3 radiance = BACKGROUND_KIND == BACKGROUND_ENVIRONMENT
-                        ? environment_radiance(ray.direction, 0.0)
+                        ? environment_intensity *
+                              textureLod(environment_sharp, environment_from_world * ray.direction, 0.0)
+                                  .rgb
                         : environment_blurred(ray.direction, BLURRED_ROUGHNESS);
     vec4 point = floor_point(ray);
     return point.w > 0.0 ? radiance * floor_shadow(point.xyz, pixel) : radiance;

@@ -217,6 +217,35 @@ TEST(Environment, ASkyIsFiniteAndNeverBlackWhereverItsSunStands) {
     }
 }
 
+TEST(Environment, AFineMapKeepsItsTexelsForTheBackground) {
+    constexpr int kWidth = 4096;
+    Image map = uniform_map(kWidth, glm::vec3(0.0f));
+    // Stripes of one texel at the horizon, which half as many texels could only show as grey.
+    auto* const values = reinterpret_cast<glm::vec3*>(map.data.data());
+    for (int i = 0; i < kWidth * kWidth / 2; ++i) values[i] = glm::vec3(static_cast<float>(i % 2));
+    FilteredEnvironment environment;
+    environment.quality = FilterQuality::Finished;
+    ASSERT_TRUE(set_map(map, environment));
+    ASSERT_EQ(environment.backdrop.face_size, kBackdropFace);
+    EXPECT_EQ(environment.map->width, 2048);
+    const std::vector<std::uint16_t>& texels = environment.backdrop.levels.at(0);
+    float least = 1.0f;
+    float most = 0.0f;
+    for (int x = 0; x < 64; ++x) {
+        const auto at = static_cast<std::size_t>(kBackdropFace / 2 * kBackdropFace + x);
+        const float red = glm::unpackHalf1x16(texels[at * kHalfCubeChannels]);
+        least = std::min(least, red);
+        most = std::max(most, red);
+    }
+    EXPECT_GT(most - least, 0.5f);
+}
+
+TEST(Environment, ACoarseMapHasNoOtherBackground) {
+    EXPECT_TRUE(
+        value_of(filter_environment(uniform_map(64, glm::vec3(1.0f)), FilterQuality::Finished))
+            .backdrop.levels.empty());
+}
+
 TEST(Environment, AnUnknownNameIsAFailureThatListsTheKnownOnes) {
     const Result<Image> made = builtin_environment("moon\n");
     ASSERT_FALSE(made);
