@@ -15,21 +15,31 @@ struct PhongMaterial {
     Real exponent;
 };
 
+/// What of a lobe is left under a light near the horizon: nothing from behind, all of it from 14
+/// degrees on. A wide lobe that were simply cut off there would end in an edge across the surface.
+Real lobe_above_horizon(Real n_dot_l) {
+    return clamp(4.0f * n_dot_l, 0.0f, 1.0f);
+}
+
 /// Phong's lobe: the light's mirror direction against the eye's. 0 where the light is behind.
 Real phong_lobe(Real r_dot_v, Real n_dot_l, Real exponent) {
-    return select(n_dot_l > 0.0f, pow_poly(r_dot_v, exponent), 0.0f);
+    return lobe_above_horizon(n_dot_l) * pow_poly(r_dot_v, exponent);
 }
 
 /// Blinn's lobe: the half vector against the normal. 0 where the light is behind.
 Real blinn_phong_lobe(Real n_dot_h, Real n_dot_l, Real exponent) {
-    return select(n_dot_l > 0.0f, pow_poly(n_dot_h, exponent), 0.0f);
+    return lobe_above_horizon(n_dot_l) * pow_poly(n_dot_h, exponent);
 }
 
 // The conversion from a metal-roughness material. A highlight is as wide as GGX's: at the angle
 // where the lobe has fallen to one half, so has GGX's distribution D,
 //   (cos^2 (a^2 - 1) + 1)^2 = 2 a^4,  so  tan^2 = a^2 (sqrt 2 - 1) / (1 - sqrt 2 a^2),  a: alpha.
 // From alpha^2 = 1 / sqrt 2 (roughness 0.92) GGX never falls so far; there the exponent is 1, its
-// least. Its greatest is 1e6 (roughness 0.043).
+// least. The greatest belong to roughness 0.17: with lights that are points a narrower highlight
+// would fall between the pixels, and a mirror would show none at all.
+
+const float MOST_BLINN_PHONG_EXPONENT = 4096.0f;
+const float MOST_PHONG_EXPONENT = 1024.0f;  // as wide: its angle is twice that between n and h
 
 /// tan^2 of the angle between n and h at which GGX has fallen to one half.
 Real half_maximum_tangent2(Real alpha) {
@@ -46,7 +56,7 @@ Real log2_one_plus(Real t) {
 /// Blinn-Phong's exponent e: cos^e is one half at that angle between n and h.
 Real blinn_phong_exponent(Real roughness) {
     Real t = half_maximum_tangent2(roughness * roughness);
-    return clamp(2.0f / max(log2_one_plus(t), 1e-7f), 1.0f, 1e6f);
+    return clamp(2.0f / max(log2_one_plus(t), 1e-7f), 1.0f, MOST_BLINN_PHONG_EXPONENT);
 }
 
 /// Phong's exponent: as h turns by an angle, the mirror direction turns by twice that.
@@ -54,14 +64,15 @@ Real phong_exponent(Real roughness) {
     Real t = half_maximum_tangent2(roughness * roughness);
     // cos 2a = (1 - t) / (1 + t), and log2 of its inverse is log2(1 + 2t / (1 - t)).
     Real fall = log2_one_plus(2.0f * t / max(1.0f - t, 1e-6f));
-    return clamp(1.0f / max(fall, 1e-7f), 1.0f, 1e6f);
+    return clamp(1.0f / max(fall, 1e-7f), 1.0f, MOST_PHONG_EXPONENT);
 }
 
-/// How strongly a lobe shines: a normalised one's peak (E + 8) / 8 of the Blinn-Phong exponent E
-/// (Hoffman, "Real-time rendering", 2008), by f0, but held to 1 in every channel together, because
-/// a fixed-function colour ends there; the hue stays.
+/// How strongly a lobe shines: by f0 and the peak at which it reflects all light that meets it, but
+/// held to 1 in every channel together, because a fixed-function colour ends there; the hue stays.
+/// Phong's lobe of exponent e, which no n.l narrows, spreads over 2 pi / (e + 1), so its peak is
+/// (e + 1) / 2 in units of irradiance / pi, or (E + 4) / 8 for Blinn's exponent E = 4 e.
 Real3 phong_specular_color(Real3 f0, Real roughness) {
-    Real peak = (blinn_phong_exponent(roughness) + 8.0f) * 0.125f;
+    Real peak = (blinn_phong_exponent(roughness) + 4.0f) * 0.125f;
     Real brightest = max(max(f0.x, f0.y), max(f0.z, 1e-4f));
     return f0 * min(peak, 1.0f / brightest);
 }

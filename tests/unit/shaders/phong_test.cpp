@@ -30,13 +30,13 @@ double ggx_width(double roughness) {
 }
 
 TEST(Phong, HighlightsAreAsWideAsThoseOfGgxAtHalfMaximum) {
-    for (const double roughness : {0.05, 0.1, 0.2, 0.35, 0.5, 0.6, 0.7}) {
+    for (const double roughness : {0.17, 0.2, 0.35, 0.5, 0.6, 0.7}) {
         const double exponent = formulae::blinn_phong_exponent(static_cast<float>(roughness));
         const double width =
             half_maximum_angle([&](double angle) { return std::pow(std::cos(angle), exponent); });
         EXPECT_NEAR(width / ggx_width(roughness), 1.0, 1e-3) << "Blinn-Phong at " << roughness;
     }
-    for (const double roughness : {0.05, 0.1, 0.2, 0.35, 0.5, 0.6}) {
+    for (const double roughness : {0.17, 0.2, 0.35, 0.5, 0.6}) {
         const double exponent = formulae::phong_exponent(static_cast<float>(roughness));
         // The mirrored light turns by twice the angle of the half vector.
         const double width = half_maximum_angle([&](double angle) {
@@ -54,7 +54,8 @@ TEST(Phong, ExponentsFallAsRoughnessRisesAndStayInTheirRange) {
                   formulae::blinn_phong_exponent(rougher));
         ASSERT_GE(formulae::phong_exponent(smoother), formulae::phong_exponent(rougher));
     }
-    EXPECT_EQ(formulae::blinn_phong_exponent(0.0f), 1e6f);
+    EXPECT_EQ(formulae::blinn_phong_exponent(0.0f), formulae::MOST_BLINN_PHONG_EXPONENT);
+    EXPECT_EQ(formulae::phong_exponent(0.0f), formulae::MOST_PHONG_EXPONENT);
     EXPECT_EQ(formulae::blinn_phong_exponent(1.0f), 1.0f);
     EXPECT_EQ(formulae::phong_exponent(1.0f), 1.0f);
 }
@@ -67,6 +68,24 @@ TEST(Phong, SpecularColoursStayWithinZeroToOneAndKeepTheirHue) {
     const Real3 rough = formulae::phong_specular_color(Real3(0.04f), 0.9f);
     EXPECT_GT(rough.x, 0.04f);
     EXPECT_LT(rough.x, 0.1f);
+}
+
+TEST(Phong, AWideLobeReflectsNoMoreThanMeetsIt) {
+    // Lambert's share of irradiance / pi is the colour itself: all of it for white.
+    for (const float roughness : {0.5f, 0.7f, 0.9f, 1.0f}) {
+        const double peak = formulae::phong_specular_color(Real3(0.01f), roughness).x / 0.01;
+        const double exponent = formulae::blinn_phong_exponent(roughness) / 4.0;
+        const double spread = 2.0 * 3.14159265 / (exponent + 1.0);  // of cos^e over a hemisphere
+        EXPECT_NEAR(peak * spread / 3.14159265, 1.0, 1e-3) << roughness;
+    }
+}
+
+TEST(Phong, AWideLobeEndsAtTheHorizonWithoutAnEdge) {
+    for (const auto lobe : {formulae::phong_lobe, formulae::blinn_phong_lobe}) {
+        EXPECT_EQ(lobe(0.9f, -0.1f, 1.0f), 0.0f);
+        EXPECT_LT(lobe(0.9f, 0.001f, 1.0f), 0.01f);
+        EXPECT_GT(lobe(0.9f, 0.25f, 1.0f), 0.89f);
+    }
 }
 
 TEST(Phong, MetalsKeepADiffuseColourAndDielectricsAllOfIt) {
