@@ -25,9 +25,10 @@ struct Surface {
 };
 
 /// What of uniform light comes back diffusely from a white surface with that F0 and F90.
-vec3 environment_entering(vec3 f0, float f90, float n_dot_v, float roughness) {
+float environment_entering(vec3 f0_of_colors, float f90, float n_dot_v, float roughness) {
+    float f0 = reflected_share(f0_of_colors);
     if (AMBIENT_TERMS.diffuse == DIFFUSE_LAMBERT)
-        return 1.0 - mix(f0, vec3(f90), schlick_mean(n_dot_v));
+        return 1.0 - mix(f0, f90, schlick_mean(n_dot_v));
     vec2 table = textureLod(diffuse_brdf, vec2(n_dot_v, roughness), 0.0).xy;
     return table.x * (1.0 - f0) - table.y * (f90 - f0);
 }

@@ -71,7 +71,7 @@ void add_filtered_environment(inout Lit lit, Surface s, PbrSurface p, vec3 v) {
     vec3 mirrored = (s.f0 * p.environment.scale + s.f90 * p.environment.bias) * p.boost;
     lit.specular_ambient =
         p.mirrored_share * mirrored * environment_mirrored(p.environment, s.normal, v);
-    vec3 entering = environment_entering(p.dielectric, s.f90, p.n_dot_v, s.roughness);
+    float entering = environment_entering(p.dielectric, s.f90, p.n_dot_v, s.roughness);
     lit.diffuse_ambient = s.occlusion * p.diffuse * entering * environment_diffuse(s.normal);
     float missing = suns_missing(p.environment.level_share);
     float reaching[MOST_SUNS] = suns_reaching(s);

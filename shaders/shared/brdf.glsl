@@ -255,6 +255,12 @@ Real3 brdf_specular(BrdfTerms terms, ReflectionAngles angles, Real3 f0, Real f90
     return fresnel(terms.fresnel, angles.v_dot_h, f0, f90) * dv;
 }
 
+/// What of a reflectance in colour keeps light out of the diffuse part: its largest component, so
+/// that a tinted reflection does not let light of the other colours in (KHR_materials_specular).
+Real reflected_share(Real3 reflectance) {
+    return max(reflectance.x, max(reflectance.y, reflectance.z));
+}
+
 /// The diffuse BRDF, (1 - F) x colour x term: what is not reflected enters. glTF 2.0 B.3.
 /// The lecture's is the colour alone: without 1/pi and without 1 - F.
 Real3 brdf_diffuse(BrdfTerms terms, ReflectionAngles angles, Real3 color, Real3 f0, Real f90,
@@ -265,8 +271,8 @@ Real3 brdf_diffuse(BrdfTerms terms, ReflectionAngles angles, Real3 color, Real3 
         term = diffuse_burley(angles.n_dot_l, angles.n_dot_v, angles.v_dot_h, roughness);
     if (terms.diffuse == DIFFUSE_OREN_NAYAR)
         term = diffuse_oren_nayar(angles.n_dot_l, angles.n_dot_v, angles.l_dot_v, roughness);
-    Real3 entering = Real3(1.0f) - fresnel(terms.fresnel, angles.v_dot_h, f0, f90);
-    return color * entering * term;
+    Real entering = 1.0f - reflected_share(fresnel(terms.fresnel, angles.v_dot_h, f0, f90));
+    return color * (entering * term);
 }
 
 /// What the specular part is multiplied by to give back the energy that single scattering loses.

@@ -242,6 +242,20 @@ TEST(Brdf, TheLectureSetHasNeitherPiNorEnergyBalance) {
     EXPECT_EQ(formulae::brdf_diffuse(terms, angles, Real3(0.7f), Real3(0.04f), 1.0f, r).x, 0.7f);
 }
 
+TEST(Brdf, ATintedReflectionKeepsAsMuchOfEveryColourOutOfTheDiffusePart) {
+    const formulae::BrdfTerms terms = {formulae::DISTRIBUTION_GGX,
+                                       formulae::GEOMETRY_SMITH_CORRELATED,
+                                       formulae::FRESNEL_SCHLICK, formulae::DIFFUSE_LAMBERT};
+    const auto angles =
+        formulae::reflection_angles({0.0f, 0.0f, 1.0f}, direction(0.4, 0.0), direction(0.9, 2.0));
+    const Real3 tinted(0.3f, 0.1f, 0.0f);
+    const Real3 diffuse = formulae::brdf_diffuse(terms, angles, Real3(1.0f), tinted, 1.0f, 0.5f);
+    // 1 - weight x max_value(fr) of the extension, with its fr written out.
+    const double reflected = 0.3 + 0.7 * std::pow(1 - angles.v_dot_h, 5);
+    for (const float share : {diffuse.x, diffuse.y, diffuse.z})
+        EXPECT_NEAR(share * kPi, 1.0 - reflected, 1e-5);
+}
+
 TEST(Brdf, NothingIsInfiniteAtGrazingAnglesAndLeastRoughness) {
     const Real3 n(0.0f, 0.0f, 1.0f);
     for (const int distribution : kDistributions)
