@@ -34,7 +34,7 @@ constexpr std::array kTermSets = {TermSet{"gltf", {}}, TermSet{"lecture", render
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     render::View& view = options.request.view;
     add_size_option(command, "--size", options.request.size.width, options.request.size.height,
-                    "Size of the picture, or of each channel of the strip");
+                    "Size of the picture, or of each channel where several are shown");
     command
         .add_option("--samples", options.request.samples,
                     "Samples that are averaged; from 64 on the environment is sampled too")
@@ -199,22 +199,44 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
     add_phong_options(command, options);
 }
 
-/// --channel takes a channel's id or "strip" for ten of them side by side.
-void add_channel_option(CLI::App& command, RenderOptions& options) {
-    std::string ids = "strip";
+/// What one word of --channel stands for.
+std::vector<render::ChannelView> channels_named(const std::string& word) {
+    const std::size_t count = word == "strip" ? render::kStripChannelCount
+                              : word == "all" ? render::kChannelViews.size()
+                                              : 0;
+    std::vector<render::ChannelView> channels;
+    for (std::size_t i = 0; i < count; ++i) channels.push_back(render::kChannelViews[i].view);
+    if (const auto channel = render::channel_view_from_id(word)) channels.push_back(*channel);
+    if (channels.empty())
+        throw CLI::ValidationError("--channel", fmt::format("'{}' is no channel", word));
+    return channels;
+}
+
+/// --channel takes ids of channels, "strip" for the editor's ten and "all".
+void add_channel_options(CLI::App& command, RenderOptions& options) {
+    std::string ids = "strip|all";
     for (const render::ChannelViewInfo& entry : render::kChannelViews)
         ids += fmt::format("|{}", entry.id);
-    const auto choose = [&options](const std::string& id) {
-        options.strip = id == "strip";
-        if (options.strip) return;
-        const auto channel = render::channel_view_from_id(id);
-        if (!channel)
-            throw CLI::ValidationError("--channel", fmt::format("'{}' is no channel", id));
-        options.request.view.channel = *channel;
+    const auto choose = [&options](const std::vector<std::string>& words) {
+        for (const std::string& word : words)
+            for (const render::ChannelView channel : channels_named(word))
+                options.channels.push_back(channel);
+        options.request.view.channel = options.channels.front();
     };
-    command.add_option_function<std::string>("--channel", choose, "One channel, or ten in a strip")
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--channel", choose,
+            "One channel, or several with commas between them: those in one picture, each with\n"
+            "its name, up to ten in a row; strip is the first ten")
+        ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name(ids)
         ->default_str("final");
+    command.add_option("--columns", options.columns, "Channels in a row of that picture")
+        ->check(CLI::Range(1, render::kChannelViewCount))
+        ->type_name("N");
+    command.add_flag_callback(
+        "--no-labels", [&options] { options.labels = false; }, "Write no names on it");
 }
 
 void add_light_options(CLI::App& command, RenderOptions& options) {
@@ -311,7 +333,7 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
 void add_view_options(CLI::App& command, RenderOptions& options) {
     add_picture_options(command, options);
     add_shading_options(command, options);
-    add_channel_option(command, options);
+    add_channel_options(command, options);
     add_light_options(command, options);
     add_background_option(command, options);
     add_camera_options(command, options);

@@ -27,7 +27,9 @@ struct RenderOptions {
     std::optional<render::RenderPath> against_path;
     std::optional<int> turntable;
     std::vector<std::function<void(render::PbrTerms&)>> term_changes;
-    bool strip = false;
+    std::vector<render::ChannelView> channels;  ///< two or more: in one picture
+    std::optional<int> columns;                 ///< of such a picture
+    bool labels = true;                         ///< words on it
     render::OffscreenRequest request;
     WorkOptions work;
 };

@@ -124,6 +124,40 @@ Result<gl::HeadlessContext> context_that_logs() {
         [](std::string_view message) { log_warning("OpenGL: {}", message); });
 }
 
+/// Pictures of one scene in one light.
+struct Series {
+    int count = 1;
+    std::function<View(const View& first, int index)> view;
+};
+
+Status render_series(const Document& document, ImageProvider& images,
+                     const OffscreenRequest& request, const Series& series, const EachPicture& each,
+                     const Progress& progress) {
+    const Result<gl::HeadlessContext> context = context_that_logs();
+    if (!context) return passed_on(context);
+    RenderedImage result;
+    Result<Renderer> renderer = prepared(document, images, request, progress, result);
+    if (!renderer) return passed_on(renderer);
+    progress.set_stage("Rendering");
+    const View first = view_of(document, request, renderer->bounds_world());
+    for (int i = 0; i < series.count; ++i) {
+        const View view = series.view(first, i);
+        const auto start = std::chrono::steady_clock::now();
+        Result<Image> image =
+            request.linear
+                ? renderer->still_linear(view, request.size, request.samples)
+                : renderer->still_srgb(view, request.size, request.samples, request.sample_type);
+        if (!image) return passed_on(image);
+        result.image = std::move(*image);
+        result.render_ms = elapsed_ms(start);
+        result.stats = renderer->stats();
+        if (Status done = each(i, result); !done) return done;
+        progress.report(0.75f +
+                        0.25f * static_cast<float>(i + 1) / static_cast<float>(series.count));
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
@@ -142,52 +176,27 @@ Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& 
 Status render_turntable_offscreen(const Document& document, ImageProvider& images,
                                   const OffscreenRequest& request, int pictures,
                                   const EachPicture& each, const Progress& progress) {
-    const Result<gl::HeadlessContext> context = context_that_logs();
-    if (!context) return passed_on(context);
-    RenderedImage result;
-    Result<Renderer> renderer = prepared(document, images, request, progress, result);
-    if (!renderer) return passed_on(renderer);
-    progress.set_stage("Rendering");
-    View view = view_of(document, request, renderer->bounds_world());
-    const Camera first = view.camera;
-    for (int i = 0; i < pictures; ++i) {
+    const auto turned = [pictures](const View& first, int i) {
+        View view = first;
         if (i > 0)
-            view.camera =
-                orbited(first, 360.0f * static_cast<float>(i) / static_cast<float>(pictures), 0.0f);
-        const auto start = std::chrono::steady_clock::now();
-        Result<Image> image =
-            request.linear
-                ? renderer->still_linear(view, request.size, request.samples)
-                : renderer->still_srgb(view, request.size, request.samples, request.sample_type);
-        if (!image) return passed_on(image);
-        result.image = std::move(*image);
-        result.render_ms = elapsed_ms(start);
-        result.stats = renderer->stats();
-        if (Status done = each(i, result); !done) return done;
-        progress.report(0.75f + 0.25f * static_cast<float>(i + 1) / static_cast<float>(pictures));
-    }
-    return {};
+            view.camera = orbited(
+                first.camera, 360.0f * static_cast<float>(i) / static_cast<float>(pictures), 0.0f);
+        return view;
+    };
+    return render_series(document, images, request, {pictures, turned}, each, progress);
 }
 
-Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,
-                                             const OffscreenRequest& request, PictureSize thumbnail,
-                                             const Progress& progress) {
-    const Result<gl::HeadlessContext> context = context_that_logs();
-    if (!context) return passed_on(context);
-    RenderedImage result;
-    Result<Renderer> renderer = prepared(document, images, request, progress, result);
-    if (!renderer) return passed_on(renderer);
-    OffscreenRequest thumbnail_request = request;
-    thumbnail_request.size = thumbnail;
-    const View view = view_of(document, thumbnail_request, renderer->bounds_world());
-    const auto start = std::chrono::steady_clock::now();
-    if (Status done = renderer->draw_strip(view, thumbnail); !done) return passed_on(done);
-    Result<Image> image = renderer->read_strip();
-    if (!image) return passed_on(image);
-    result.image = std::move(*image);
-    result.render_ms = elapsed_ms(start);
-    progress.report(1.0f);
-    return result;
+Status render_channels_offscreen(const Document& document, ImageProvider& images,
+                                 const OffscreenRequest& request,
+                                 std::span<const ChannelView> channels, const EachPicture& each,
+                                 const Progress& progress) {
+    const auto shown = [channels](const View& first, int i) {
+        View view = first;
+        view.channel = channels[static_cast<std::size_t>(i)];
+        return view;
+    };
+    return render_series(document, images, request, {static_cast<int>(channels.size()), shown},
+                         each, progress);
 }
 
 }  // namespace patina::render

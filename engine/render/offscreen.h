@@ -6,7 +6,7 @@
 
 #include <functional>
 #include <optional>
-#include <string>
+#include <span>
 
 #include "composite/image_provider.h"
 #include "core/progress.h"
@@ -48,7 +48,7 @@ Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& 
                                        const OffscreenRequest& request,
                                        const Progress& progress = {});
 
-/// Takes picture `index` of a turntable, which is drawn over afterwards.
+/// Takes picture `index` of several, which is drawn over afterwards.
 using EachPicture = std::function<Status(int index, RenderedImage& picture)>;
 
 /// Pictures all around the target, counter-clockwise from above, equally far apart; the first is
@@ -57,9 +57,10 @@ Status render_turntable_offscreen(const Document& document, ImageProvider& image
                                   const OffscreenRequest& request, int pictures,
                                   const EachPicture& each, const Progress& progress = {});
 
-/// Ten pictures in one, the strip of channels, each `thumbnail` large.
-Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,
-                                             const OffscreenRequest& request, PictureSize thumbnail,
-                                             const Progress& progress = {});
+/// One picture of each of these channels, in their order, all of the same view.
+Status render_channels_offscreen(const Document& document, ImageProvider& images,
+                                 const OffscreenRequest& request,
+                                 std::span<const ChannelView> channels, const EachPicture& each,
+                                 const Progress& progress = {});
 
 }  // namespace patina::render

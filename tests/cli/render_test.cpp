@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "cli/picture.h"
 #include "cli/program.h"
 
 namespace patina::cli_tests {
@@ -45,9 +46,54 @@ TEST_F(Render, WritesLinearLightAsExr) {
     EXPECT_TRUE(file_text(at("picture.exr")).starts_with("\x76\x2f\x31\x01"));
 }
 
-TEST_F(Render, TheStripIsTenPicturesWide) {
+TEST_F(Render, TheStripIsTenPicturesWideAndAllChannelsStandInASquare) {
     ASSERT_TRUE(succeeded(render({"--channel", "strip"}, "strip.png")));
     EXPECT_EQ(png_size(file_text(at("strip.png"))), std::pair(640, 48));
+    const Outcome all = render({"--channel", "all", "--json"}, "all.png");
+    ASSERT_TRUE(succeeded(all));
+    EXPECT_EQ(png_size(file_text(at("all.png"))), std::pair(5 * 64, 5 * 48));
+    const nlohmann::json cells = nlohmann::json::parse(all.out)["cells"];
+    ASSERT_EQ(cells.size(), 25u);
+    EXPECT_EQ(cells[6]["channel"], "position");
+    EXPECT_EQ(cells[6]["x"], 64);
+    EXPECT_EQ(cells[6]["y"], 48);
+}
+
+TEST_F(Render, SeveralChannelsAreThePicturesOfEachWithItsNameOverThem) {
+    const std::vector<std::string> more = {"--split", "0.5", "--samples", "4", "--bits", "16"};
+    const auto with = [&](std::vector<std::string> words) {
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    const auto drawn = [&](const std::vector<std::string>& words) {
+        EXPECT_TRUE(succeeded(render(with(words), "a.png"))) << testing::PrintToString(words);
+        return png_picture(at("a.png")).rgba;
+    };
+    const std::vector<std::string> sheet = {"--channel", "final,normal", "--columns", "1"};
+    std::vector<std::string> bare = sheet;
+    bare.emplace_back("--no-labels");
+    std::string one_by_one = drawn({"--channel", "final"});
+    one_by_one += drawn({"--channel", "normal"});
+    EXPECT_TRUE(drawn(bare) == one_by_one) << "the same samples, bits and light";
+    EXPECT_FALSE(drawn(sheet) == one_by_one) << "names";
+}
+
+TEST_F(Render, WhatSeveralChannelsCannotBeIsWrongUsageInOneLine) {
+    const auto refused = [&](std::vector<std::string> words, const std::string& output) {
+        words.insert(words.end(), {"--channel", "strip"});
+        const Outcome outcome = render(words, output);
+        EXPECT_EQ(outcome.status, 2) << testing::PrintToString(words);
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+        return outcome.errors;
+    };
+    EXPECT_THAT(refused({"--turntable", "3"}, "a.png"), HasSubstr("--turntable takes one channel"));
+    EXPECT_THAT(refused({}, "a.exr"), HasSubstr(".exr holds the raw numbers of one channel"));
+    EXPECT_THAT(refused({"--shading", "difference"}, "a.png"), HasSubstr("can be --split"));
+    EXPECT_EQ(render({"--columns", "2"}, "a.png").status, 2);
+    EXPECT_EQ(render({"--channel", "final,gloss"}, "a.png").status, 2);
+    const Outcome wide = render({"--channel", "strip", "--size", "2000x20"}, "a.png");
+    EXPECT_TRUE(failed_with_one_line(wide));
+    EXPECT_THAT(wide.errors, HasSubstr("20000x20"));
 }
 
 TEST_F(Render, EveryShadingAndChannelGivesAPictureOfItsOwn) {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_pictures.h"
+
+#include <algorithm>
+
+#include "cli/input.h"
+#include "core/log.h"
+#include "io/image_file.h"
+#include "render/environment.h"
+
+namespace patina::cli {
+namespace {
+
+Result<ImagePtr> environment_map(const std::filesystem::path& path) {
+    const auto bytes = read_file(path);
+    if (!bytes) return passed_on(bytes);
+    auto map = io::decode_image(*bytes, path.string());
+    if (!map) return failure("{}: {}", quoted_for_message(path.string()), map.error().message);
+    return map;
+}
+
+/// Puts the environment that was asked for into the document or the request.
+Status set_environment(const RenderOptions& options, io::LoadedDocument& loaded,
+                       render::OffscreenRequest& request) {
+    Document document = *loaded.document;
+    std::string& name = document.environment.name;
+    if (render::is_builtin_environment(options.environment)) {
+        name = options.environment;
+    } else if (!options.environment.empty()) {
+        const auto map = environment_map(options.environment);
+        if (!map) return passed_on(map);
+        request.environment = *map;
+    } else if (!render::is_builtin_environment(name)) {
+        // A file may not make this program read another one.
+        log_warning("{} was lit by '{}': give it with --environment; the studio is used",
+                    quoted_for_message(options.input.string()), quoted_for_message(name));
+        name = render::kBuiltinEnvironments.front().id;
+    }
+    if (options.sun_elevation_degrees) {
+        if (request.environment || name != render::kSkyEnvironment)
+            return failure("--sun-elevation moves the sun of the sky: add --environment {}",
+                           render::kSkyEnvironment);
+        document.environment.sun_elevation_degrees = *options.sun_elevation_degrees;
+    }
+    loaded.document = std::make_shared<const Document>(std::move(document));
+    return {};
+}
+
+void set_camera(const RenderOptions& options, const Document& document,
+                render::OffscreenRequest& request) {
+    render::Camera& camera = request.view.camera;
+    if (options.camera_up) camera.up = *options.camera_up;
+    if (!options.camera_position) return;
+    request.automatic_camera.reset();
+    camera.position = *options.camera_position;
+    camera.target = options.camera_target.value_or(document.scene->bounds_world.center());
+}
+
+/// Letters that are read easily in a picture of this height.
+int em_pixels_for(int height) {
+    return std::clamp(height / 24, 11, 30);
+}
+
+/// What writes on pictures; none where that was not asked for, or where there is no font.
+std::optional<Lettering> lettering_for(const RenderOptions& options) {
+    if (!options.labels) return std::nullopt;
+    auto lettering = Lettering::make(em_pixels_for(options.request.size.height));
+    if (lettering) return std::move(*lettering);
+    log_warning("{}; the picture has no words", lettering.error().message);
+    return std::nullopt;
+}
+
+/// All channels in one picture, whose costs are those of the first.
+Status draw_sheet(const RenderOptions& options, const ContactSheet& sheet,
+                  const io::LoadedDocument& loaded, const render::OffscreenRequest& request,
+                  const render::EachPicture& each, const Progress& progress) {
+    auto image = sheet.blank(request.sample_type);
+    if (!image) return passed_on(image);
+    const std::optional<Lettering> lettering = lettering_for(options);
+    render::RenderedImage whole;
+    const auto put = [&](int index, const render::RenderedImage& picture) -> Status {
+        put_cell(*image, sheet, index, picture.image, lettering ? &*lettering : nullptr);
+        const double drawn_before_ms = whole.render_ms;
+        if (index == 0) whole = picture;
+        whole.render_ms = drawn_before_ms + picture.render_ms;
+        return {};
+    };
+    if (const Status drawn = render::render_channels_offscreen(
+            *loaded.document, *loaded.images, request, sheet.channels, put, progress);
+        !drawn)
+        return drawn;
+    whole.image = std::move(*image);
+    return each(0, whole);
+}
+
+}  // namespace
+
+std::optional<ContactSheet> sheet_of(const RenderOptions& options) {
+    if (options.channels.size() < 2) return std::nullopt;
+    return ContactSheet{.channels = options.channels,
+                        .cell = options.request.size,
+                        .columns = options.columns.value_or(columns_for(options.channels.size()))};
+}
+
+Status draw_pictures(const RenderOptions& options, const render::EachPicture& each,
+                     const Progress& progress) {
+    auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
+    if (!loaded) return passed_on(loaded);
+    render::OffscreenRequest request = options.request;
+    request.environment_cache = render::user_environment_cache();
+    request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
+    if (const Status lit = set_environment(options, *loaded, request); !lit) return lit;
+    set_camera(options, *loaded->document, request);
+    for (const auto& change : options.term_changes) {
+        change(request.view.left.terms);
+        change(request.view.right.terms);
+    }
+    if (options.against_path) request.view.right.path = *options.against_path;
+    if (const auto sheet = sheet_of(options))
+        return draw_sheet(options, *sheet, *loaded, request, each, progress);
+    return render::render_turntable_offscreen(*loaded->document, *loaded->images, request,
+                                              options.turntable.value_or(1), each, progress);
+}
+
+}  // namespace patina::cli
