@@ -11,9 +11,7 @@
 namespace patina::cli {
 namespace {
 
-// As the interface has them: nearly white on nearly black, which the picture shines through.
 constexpr glm::vec3 kLetterColor(0.93f);
-constexpr glm::vec4 kPlateColor(0.07f, 0.07f, 0.07f, 0.78f);
 
 struct CloseLibrary {
     void operator()(FT_Library library) const { FT_Done_FreeType(library); }

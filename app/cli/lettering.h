@@ -11,6 +11,9 @@
 
 namespace patina::cli {
 
+/// What words stand on: nearly black, and the picture shines through.
+inline constexpr glm::vec4 kPlateColor(0.07f, 0.07f, 0.07f, 0.78f);
+
 class Lettering {
   public:
     /// @param em_pixels  height of the letters' em, above 0

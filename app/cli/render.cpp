@@ -34,6 +34,7 @@ constexpr const char* kRenderFooter =
     "  patina render model.glb --environment sky --sun-elevation 8 -o evening.png\n"
     "  patina render model.glb --turntable 36 -o spin.png\n"
     "  patina render model.glb --shading difference --against pbr --against-path forward -o d.png\n"
+    "  patina render model.glb --shading difference --difference-range 0.2 --samples 256 -o d.png\n"
     "  patina render model.glb --light "
     "'{\"kind\":\"sphere\",\"position\":[1,2,1],\"radius\":0.3}'\n"
     "      --samples 256 -o lamp.png\n"
@@ -82,6 +83,11 @@ void print(const nlohmann::ordered_json& pictures, const RenderOptions& options)
                        picture["width"].get<int>(), picture["height"].get<int>(),
                        picture["bake_ms"].get<double>() + picture["environment_ms"].get<double>() +
                            picture["render_ms"].get<double>());
+        if (is_heat_map(options))
+            fmt::print(
+                "black is no difference, pale yellow one of {:g} and more, in exposed "
+                "luminance\n",
+                options.request.view.difference_range);
     }
 }
 
@@ -92,6 +98,8 @@ Status run_render(const RenderOptions& options) {
     const auto write = [&](int index, render::RenderedImage& picture) {
         const std::filesystem::path path = output_path(options, index);
         pictures.push_back(to_json(path, picture));
+        if (is_heat_map(options))
+            pictures.back()["difference_range"] = options.request.view.difference_range;
         if (const auto sheet = sheet_of(options)) pictures.back()["cells"] = to_json(*sheet);
         return io::write_image_file(path, picture.image);
     };

@@ -39,10 +39,24 @@ std::string_view sheet_conflict(const RenderOptions& options) {
     });
 }
 
+std::string_view difference_conflict(const CLI::App& command, const RenderOptions& options) {
+    const render::View& view = options.request.view;
+    const bool difference = view.compare == render::CompareMode::Difference;
+    const bool lit = render::info(view.channel).origin == render::ChannelOrigin::Lighting;
+    return first_broken(std::array{
+        Rule{difference && !lit,
+             "a difference of that channel is nothing anywhere: both sides shade the same surface; "
+             "leave out --channel, or name one of light such as specular-direct"},
+        Rule{!difference && command.count("--difference-range") > 0,
+             "--difference-range is of a heat map: add --shading difference"},
+    });
+}
+
 }  // namespace
 
-std::string_view conflict_in(const CLI::App&, const RenderOptions& options) {
-    return sheet_conflict(options);
+std::string_view conflict_in(const CLI::App& command, const RenderOptions& options) {
+    const std::string_view of_sheet = sheet_conflict(options);
+    return of_sheet.empty() ? difference_conflict(command, options) : of_sheet;
 }
 
 }  // namespace patina::cli

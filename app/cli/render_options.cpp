@@ -199,6 +199,15 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
     add_phong_options(command, options);
 }
 
+void add_difference_options(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--difference-range", options.request.view.difference_range,
+                    "The difference of exposed luminance that is the top of the heat map")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->type_name("X")
+        ->capture_default_str();
+}
+
 /// What one word of --channel stands for.
 std::vector<render::ChannelView> channels_named(const std::string& word) {
     const std::size_t count = word == "strip" ? render::kStripChannelCount
@@ -236,7 +245,8 @@ void add_channel_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1, render::kChannelViewCount))
         ->type_name("N");
     command.add_flag_callback(
-        "--no-labels", [&options] { options.labels = false; }, "Write no names on it");
+        "--no-labels", [&options] { options.labels = false; },
+        "Write nothing on pictures: no names of channels, no scale of a difference");
 }
 
 void add_light_options(CLI::App& command, RenderOptions& options) {
@@ -333,6 +343,7 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
 void add_view_options(CLI::App& command, RenderOptions& options) {
     add_picture_options(command, options);
     add_shading_options(command, options);
+    add_difference_options(command, options);
     add_channel_options(command, options);
     add_light_options(command, options);
     add_background_option(command, options);

@@ -29,7 +29,7 @@ struct RenderOptions {
     std::vector<std::function<void(render::PbrTerms&)>> term_changes;
     std::vector<render::ChannelView> channels;  ///< two or more: in one picture
     std::optional<int> columns;                 ///< of such a picture
-    bool labels = true;                         ///< words on it
+    bool labels = true;                         ///< words on pictures
     render::OffscreenRequest request;
     WorkOptions work;
 };

@@ -2,7 +2,9 @@
 #include "cli/render_pictures.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "cli/difference_scale.h"
 #include "cli/input.h"
 #include "core/log.h"
 #include "io/image_file.h"
@@ -93,7 +95,22 @@ Status draw_sheet(const RenderOptions& options, const ContactSheet& sheet,
     return each(0, whole);
 }
 
+/// Hands on pictures of a difference with what their heat stands for.
+render::EachPicture with_scale(const RenderOptions& options, const render::EachPicture& each) {
+    return [&options, &each,
+            lettering = std::make_shared<std::optional<Lettering>>(lettering_for(options))](
+               int index, render::RenderedImage& drawn) {
+        if (*lettering)
+            draw_difference_scale(drawn.image, options.request.view.difference_range, **lettering);
+        return each(index, drawn);
+    };
+}
+
 }  // namespace
+
+bool is_heat_map(const RenderOptions& options) {
+    return options.request.view.compare == render::CompareMode::Difference;
+}
 
 std::optional<ContactSheet> sheet_of(const RenderOptions& options) {
     if (options.channels.size() < 2) return std::nullopt;
@@ -118,8 +135,10 @@ Status draw_pictures(const RenderOptions& options, const render::EachPicture& ea
     if (options.against_path) request.view.right.path = *options.against_path;
     if (const auto sheet = sheet_of(options))
         return draw_sheet(options, *sheet, *loaded, request, each, progress);
+    const bool scaled = is_heat_map(options) && !request.linear;
     return render::render_turntable_offscreen(*loaded->document, *loaded->images, request,
-                                              options.turntable.value_or(1), each, progress);
+                                              options.turntable.value_or(1),
+                                              scaled ? with_scale(options, each) : each, progress);
 }
 
 }  // namespace patina::cli

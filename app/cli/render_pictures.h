@@ -12,6 +12,9 @@ namespace patina::cli {
 /// How several channels lie in one picture; nothing where one alone is drawn. Refers to `options`.
 std::optional<ContactSheet> sheet_of(const RenderOptions& options);
 
+/// Whether heat in the picture stands for a difference.
+bool is_heat_map(const RenderOptions& options);
+
 /// Draws what was asked for, and hands each picture to `each`.
 Status draw_pictures(const RenderOptions& options, const render::EachPicture& each,
                      const Progress& progress);

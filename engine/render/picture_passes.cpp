@@ -328,8 +328,8 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     return {};
 }
 
-Status draw_difference(RendererState& state, const View& view, const gl::Framebuffer& left,
-                       const gl::Framebuffer& right, const PictureTarget& target) {
+Status draw_difference(RendererState& state, const View& view, const SidePictures& sides,
+                       const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/difference.frag", {}};
     add_output_constants(variant.constants, view, target.output);
     const Result<gl::Program*> found = state.shaders.program(variant);
@@ -340,8 +340,9 @@ Status draw_difference(RendererState& state, const View& view, const gl::Framebu
     set_output(program, view);
     program.set("picture_offset", target.picture_offset);
     program.set("difference_range", std::max(view.difference_range, 1e-6f));
-    pass.bind_texture(program, "left", 0, left.color(0));
-    pass.bind_texture(program, "right", 1, right.color(0));
+    program.set("radiance_share", 1.0f / static_cast<float>(sides.draws));
+    pass.bind_texture(program, "left", 0, sides.left->color(0));
+    pass.bind_texture(program, "right", 1, sides.right->color(0));
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
 }

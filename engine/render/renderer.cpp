@@ -93,6 +93,7 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
              .depth = gl::Format::Depth32F}),
       strip(with_depth(color_target("strip", gl::Format::Rgba8))),
       accumulation(with_depth(color_target("accumulation", gl::Format::Rgba32F))),
+      accumulation_right(with_depth(color_target("accumulation.right", gl::Format::Rgba32F))),
       still(color_target("still", gl::Format::Rgba32F)),
       refinement(with_depth(color_target("refinement", gl::Format::Rgba32F))),
       refined(color_target("refined", gl::Format::Rgba8)),

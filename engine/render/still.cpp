@@ -36,10 +36,15 @@ constexpr int kLeastSampledDraws = 64;
 /// sampled is averaged as radiance: a tone map of each draw would not have the same mean.
 bool samples_environment(const View& view, int samples, OutputMode output) {
     if (samples < kLeastSampledDraws) return false;
-    // The mean of differences of noise is not the difference of the means.
-    if (view.compare == CompareMode::Difference || shows_difference_beside(view)) return false;
+    if (shows_difference_beside(view)) return false;
     if (!shows_pbr(view)) return false;
     return output == OutputMode::Radiance || view.channel == ChannelView::Final;
+}
+
+/// Whether both sides are summed apart: the mean of differences of noise is not the difference of
+/// the means.
+bool sums_both_sides(const View& view, int samples, OutputMode output) {
+    return view.compare == CompareMode::Difference && samples_environment(view, samples, output);
 }
 
 /// Adds sample i of `samples` to the sum; the first clears it.
@@ -48,6 +53,11 @@ Status add_sample(RendererState& state, const View& view, PictureSize size, int 
     const Result<gl::Framebuffer*> sum = sum_for(state.accumulation, size, i);
     if (!sum) return passed_on(sum);
     const bool sampled = samples_environment(view, samples, output);
+    if (sums_both_sides(view, samples, output)) {
+        const Result<gl::Framebuffer*> right = sum_for(state.accumulation_right, size, i);
+        if (!right) return passed_on(right);
+        return add_radiance(state, view, size, **sum, {i, StillDraw{i, samples}, *right});
+    }
     if (sampled && output != OutputMode::Radiance)
         return add_radiance(state, view, size, **sum, {i, StillDraw{i, samples}});
     FrameTarget target{.framebuffer = *sum,
@@ -69,6 +79,20 @@ std::vector<float> mean_of(const gl::Framebuffer& sum, PictureSize size, int sam
     return mean;
 }
 
+/// The difference of what both sides came to: RGBA, bottom row first.
+Result<std::vector<float>> difference_of_means(RendererState& state, const View& view,
+                                               PictureSize size, int draws, OutputMode output) {
+    const glm::ivec2 pixels(size.width, size.height);
+    const Result<gl::Framebuffer*> target = state.still.at(pixels);
+    if (!target) return passed_on(target);
+    if (Status drawn = draw_difference(
+            state, view, {state.accumulation.get(), state.accumulation_right.get(), draws},
+            {.framebuffer = *target, .area = {{0, 0}, pixels}, .output = output});
+        !drawn)
+        return passed_on(drawn);
+    return (*target)->read_color(0, {0, 0}, pixels);
+}
+
 /// The mean of `samples` draws: RGBA, premultiplied, bottom row first.
 Result<std::vector<float>> accumulate(RendererState& state, const View& view, PictureSize size,
                                       int samples, OutputMode output) {
@@ -76,11 +100,15 @@ Result<std::vector<float>> accumulate(RendererState& state, const View& view, Pi
     for (int i = 0; i < samples; ++i)
         if (Status drawn = add_sample(state, view, size, i, samples, output); !drawn)
             return passed_on(drawn);
+    if (sums_both_sides(view, samples, output))
+        return difference_of_means(state, view, size, samples, output);
     return mean_of(*state.accumulation.get(), size, samples);
 }
 
 /// Display light of what was averaged as radiance, over the background.
 Result<std::vector<float>> finished(RendererState& state, const Still& still) {
+    if (sums_both_sides(still.view, still.samples, OutputMode::Display))
+        return difference_of_means(state, still.view, still.size, still.drawn, OutputMode::Display);
     const glm::ivec2 pixels(still.size.width, still.size.height);
     const Result<gl::Framebuffer*> target = state.still.at(pixels);
     if (!target) return passed_on(target);

@@ -199,6 +199,30 @@ TEST_F(Render, BothPathsGiveThePictureAtTheirOwnCost) {
     EXPECT_LE(file_text(at("paths.png")).size(), file_text(at("none.png")).size() + 300);
 }
 
+TEST_F(Render, ADifferenceHasItsRangeAndItsScale) {
+    const auto picture = [&](std::vector<std::string> words) {
+        words.insert(words.end(), {"--shading", "difference", "--size", "240x180"});
+        EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);
+        return png_picture(at("a.png"));
+    };
+    const Picture scaled = picture({"--difference-range", "0.1"});
+    const Picture bare = picture({"--difference-range", "0.1", "--no-labels"});
+    EXPECT_FALSE(bare.rgba == picture({"--no-labels"}).rgba) << "hotter";
+    EXPECT_EQ(scaled.texel(235, 5), bare.texel(235, 5));
+    EXPECT_NE(scaled.texel(10, 160), bare.texel(10, 160)) << "the plate of the scale";
+    const Outcome report = render({"--shading", "difference", "--json"}, "a.png");
+    EXPECT_EQ(nlohmann::json::parse(report.out)["difference_range"], 1.0);
+}
+
+TEST_F(Render, ADifferenceOfWhatBothSidesShareIsWrongUsage) {
+    const Outcome outcome = render({"--shading", "difference", "--channel", "roughness"}, "a.png");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("nothing anywhere"));
+    EXPECT_TRUE(
+        succeeded(render({"--shading", "difference", "--channel", "specular-ambient"}, "a.png")));
+    EXPECT_EQ(render({"--difference-range", "2"}, "a.png").status, 2);
+}
+
 TEST_F(Render, ATurntableIsAFileForEachPictureAndTheFirstIsThePictureAlone) {
     ASSERT_TRUE(succeeded(render({}, "alone.png")));
     ASSERT_TRUE(succeeded(render({"--turntable", "3"}, "spin.png")));
