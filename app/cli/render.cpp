@@ -33,6 +33,8 @@ constexpr const char* kRenderFooter =
     "  patina render model.glb --channel final,normal,diffuse-ambient --columns 1 -o three.png\n"
     "  patina render model.glb --environment sky --sun-elevation 8 -o evening.png\n"
     "  patina render model.glb --turntable 36 -o spin.png\n"
+    "  patina render model.glb --split 0.5 --left phong --against blinn-phong -o two-phongs.png\n"
+    "  patina render model.glb --shading two-views --against-terms lecture -o gltf-lecture.png\n"
     "  patina render model.glb --shading difference --against pbr --against-path forward -o d.png\n"
     "  patina render model.glb --shading difference --difference-range 0.2 --samples 256 -o d.png\n"
     "  patina render model.glb --light "

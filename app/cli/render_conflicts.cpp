@@ -39,6 +39,30 @@ std::string_view sheet_conflict(const RenderOptions& options) {
     });
 }
 
+std::string_view side_conflict(const CLI::App& command, const RenderOptions& options) {
+    const auto given = [&](const char* flag) { return command.count(flag) > 0; };
+    const render::View& view = options.request.view;
+    const bool compares = view.compare != render::CompareMode::Single;
+    const bool of_right = given("--against") || given("--against-path") || given("--against-terms");
+    const bool other_kind =
+        given("--shading") && command.get_option("--shading")->as<std::string>() != "split";
+    return first_broken(std::array{
+        Rule{given("--split") && other_kind,
+             "--split X is --shading split: leave out the other --shading, or name the left side "
+             "with --left"},
+        Rule{given("--split") && given("--divider"), "--split X says where the divider is"},
+        Rule{given("--divider") && view.compare != render::CompareMode::Split,
+             "--divider is of a split: add --shading split"},
+        Rule{of_right && !compares,
+             "there is no right side to set with --against: add --split X, or --shading split, "
+             "two-views or difference"},
+        Rule{given("--left") && !compares,
+             "--left is the left side of a comparison: how a single picture is lit says --shading"},
+        Rule{options.against_terms && view.right.model != render::ShadingModel::Pbr,
+             "--against-terms are of PBR, which --against says the right side is not"},
+    });
+}
+
 std::string_view difference_conflict(const CLI::App& command, const RenderOptions& options) {
     const render::View& view = options.request.view;
     const bool difference = view.compare == render::CompareMode::Difference;
@@ -55,8 +79,11 @@ std::string_view difference_conflict(const CLI::App& command, const RenderOption
 }  // namespace
 
 std::string_view conflict_in(const CLI::App& command, const RenderOptions& options) {
-    const std::string_view of_sheet = sheet_conflict(options);
-    return of_sheet.empty() ? difference_conflict(command, options) : of_sheet;
+    for (const std::string_view conflict :
+         {sheet_conflict(options), side_conflict(command, options),
+          difference_conflict(command, options)})
+        if (!conflict.empty()) return conflict;
+    return {};
 }
 
 }  // namespace patina::cli

@@ -159,12 +159,8 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
             view.compare = kind.compare;
             view.left.model = kind.left;
         },
-        "How surfaces are lit; the last three set PBR against --against")
+        "How surfaces are lit; the last three compare --left with --against")
         ->default_str("pbr");
-    add_choice_option(
-        command, "--against", render::kShadingModels,
-        [&view](const auto& entry) { view.right.model = entry.value; }, "What PBR is compared with")
-        ->default_str("phong");
     command.add_option("--divider", view.divider, "Where the split is, of the width")
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("0-1")
@@ -174,7 +170,6 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
             "--split",
             [&view](float divider) {
                 view.compare = render::CompareMode::Split;
-                view.left.model = render::ShadingModel::Pbr;
                 view.divider = divider;
             },
             "As --shading split --divider X")
@@ -186,17 +181,38 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
         "How the picture is made: the same shading, at another cost")
         ->default_str("deferred");
     add_choice_option(
-        command, "--against-path", render::kRenderPaths,
-        [&options](const auto& entry) { options.against_path = entry.value; },
-        "How the one that is compared is made; as --path if unset")
-        ->type_name("deferred|forward");
-    add_choice_option(
         command, "--terms", kTermSets,
         [&view](const TermSet& set) { view.left.terms = view.right.terms = set.terms; },
         "The terms of PBR; the lecture's lack 1/pi and energy balance")
         ->default_str("gltf");
     add_term_options(command, options);
     add_phong_options(command, options);
+}
+
+/// What stands against what in a comparison.
+void add_side_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    add_choice_option(
+        command, "--left", render::kShadingModels,
+        [&view](const auto& entry) { view.left.model = entry.value; },
+        "How the left side of a comparison is lit")
+        ->default_str("pbr");
+    add_choice_option(
+        command, "--against", render::kShadingModels,
+        [&view](const auto& entry) { view.right.model = entry.value; }, "How the right side is lit")
+        ->default_str("phong, or pbr with --against-terms");
+    add_choice_option(
+        command, "--against-terms", kTermSets,
+        [&command, &options](const TermSet& set) {
+            options.against_terms = set.terms;
+            if (command.count("--against") == 0)
+                options.request.view.right.model = render::ShadingModel::Pbr;
+        },
+        "The terms of its PBR; --terms and those by themselves are then the left side's alone");
+    add_choice_option(
+        command, "--against-path", render::kRenderPaths,
+        [&options](const auto& entry) { options.against_path = entry.value; },
+        "How the right side is made; as --path if unset");
 }
 
 void add_difference_options(CLI::App& command, RenderOptions& options) {
@@ -343,6 +359,7 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
 void add_view_options(CLI::App& command, RenderOptions& options) {
     add_picture_options(command, options);
     add_shading_options(command, options);
+    add_side_options(command, options);
     add_difference_options(command, options);
     add_channel_options(command, options);
     add_light_options(command, options);

@@ -25,6 +25,7 @@ struct RenderOptions {
     std::optional<glm::vec3> camera_target;
     std::optional<glm::vec3> camera_up;
     std::optional<render::RenderPath> against_path;
+    std::optional<render::PbrTerms> against_terms;
     std::optional<int> turntable;
     std::vector<std::function<void(render::PbrTerms&)>> term_changes;
     std::vector<render::ChannelView> channels;  ///< two or more: in one picture

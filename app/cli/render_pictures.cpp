@@ -58,6 +58,16 @@ void set_camera(const RenderOptions& options, const Document& document,
     camera.target = options.camera_target.value_or(document.scene->bounds_world.center());
 }
 
+/// Terms by themselves go over those of a set; a set of the right side's own stays as it is.
+void set_sides(const RenderOptions& options, render::View& view) {
+    for (const auto& change : options.term_changes) {
+        change(view.left.terms);
+        change(view.right.terms);
+    }
+    if (options.against_terms) view.right.terms = *options.against_terms;
+    if (options.against_path) view.right.path = *options.against_path;
+}
+
 /// Letters that are read easily in a picture of this height.
 int em_pixels_for(int height) {
     return std::clamp(height / 24, 11, 30);
@@ -128,11 +138,7 @@ Status draw_pictures(const RenderOptions& options, const render::EachPicture& ea
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
     if (const Status lit = set_environment(options, *loaded, request); !lit) return lit;
     set_camera(options, *loaded->document, request);
-    for (const auto& change : options.term_changes) {
-        change(request.view.left.terms);
-        change(request.view.right.terms);
-    }
-    if (options.against_path) request.view.right.path = *options.against_path;
+    set_sides(options, request.view);
     if (const auto sheet = sheet_of(options))
         return draw_sheet(options, *sheet, *loaded, request, each, progress);
     const bool scaled = is_heat_map(options) && !request.linear;

@@ -142,6 +142,39 @@ TEST_F(Render, ASplitIsTheShadingOfThatNameAndAMaterialPresetIsAPreset) {
     EXPECT_EQ(render({"--split", "1.5"}, "a.png").status, 2);
 }
 
+TEST_F(Render, BothSidesOfASplitAreChosenApart) {
+    const auto drawn = [&](const std::vector<std::string>& words) {
+        EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);
+        return png_picture(at("a.png")).rgba;
+    };
+    // A divider at an edge leaves one side alone.
+    EXPECT_TRUE(drawn({"--split", "1", "--left", "blinn-phong"}) ==
+                drawn({"--shading", "blinn-phong"}));
+    EXPECT_TRUE(drawn({"--split", "0", "--against-terms", "lecture", "--terms", "gltf"}) ==
+                drawn({"--terms", "lecture"}));
+    EXPECT_TRUE(drawn({"--split", "1", "--against-terms", "gltf", "--terms", "lecture"}) ==
+                drawn({"--terms", "lecture"}));
+    EXPECT_TRUE(drawn({"--split", "0", "--against-terms", "gltf", "--geometry", "lecture"}) ==
+                drawn({}))
+        << "a set of its own stays as it is";
+}
+
+TEST_F(Render, WhatIsOfASideThatIsNotThereIsWrongUsageInOneLine) {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"--against", "pbr"},
+             {"--shading", "phong", "--against-path", "forward"},
+             {"--against-terms", "lecture"},
+             {"--left", "phong"},
+             {"--divider", "0.3"},
+             {"--split", "0.3", "--divider", "0.4"},
+             {"--split", "0.3", "--shading", "phong"},
+             {"--split", "0.3", "--against", "phong", "--against-terms", "lecture"}}) {
+        const Outcome outcome = render(words, "a.png");
+        EXPECT_EQ(outcome.status, 2) << testing::PrintToString(words);
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+    }
+}
+
 TEST_F(Render, EachTermChangesTheLightOfALamp) {
     const std::string lamp = R"({"kind":"point","position":[1,2,2],"intensity":30})";
     ASSERT_TRUE(succeeded(render({"--light", lamp}, "plain.png")));
