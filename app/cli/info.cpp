@@ -103,19 +103,34 @@ Json to_json(const Document& document, const Material& material) {
     return json;
 }
 
+Json to_json(const SceneCamera& camera) {
+    if (camera.orthographic_height > 0.0f)
+        return {{"name", camera.name},
+                {"kind", "orthographic"},
+                {"height_m", camera.orthographic_height}};
+    return {{"name", camera.name},
+            {"kind", "perspective"},
+            {"fov_y_degrees", glm::degrees(camera.fov_y_radians)}};
+}
+
+std::string described(const SceneCamera& camera) {
+    if (camera.orthographic_height > 0.0f)
+        return fmt::format("orthographic, {:.3g} m high", camera.orthographic_height);
+    return fmt::format("perspective, {:.1f} degrees from bottom to top",
+                       glm::degrees(camera.fov_y_radians));
+}
+
 Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
     const Document& document = *loaded.document;
     const SceneCounts counts = counts_of(*document.scene);
-    Json json = {{"file", options.input.string()},
-                 {"meshes", counts.meshes},
-                 {"primitives", counts.primitives},
-                 {"vertices", counts.vertices},
-                 {"triangles", counts.triangles},
-                 {"lights", document.lights.size()},
-                 {"environment", document.environment.name},
-                 {"images", Json::array()},
-                 {"materials", Json::array()},
+    Json json = {{"file", options.input.string()},  {"meshes", counts.meshes},
+                 {"primitives", counts.primitives}, {"vertices", counts.vertices},
+                 {"triangles", counts.triangles},   {"lights", document.lights.size()},
+                 {"cameras", Json::array()},        {"environment", document.environment.name},
+                 {"images", Json::array()},         {"materials", Json::array()},
                  {"warnings", loaded.warnings}};
+    for (const SceneCamera& camera : document.scene->cameras)
+        json["cameras"].push_back(to_json(camera));
     for (const auto& [hash, image] : document.images)
         json["images"].push_back({{"name", image->name},
                                   {"hash", to_hex(hash)},
@@ -173,6 +188,9 @@ void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
     fmt::print("{}: {} meshes, {} primitives, {} vertices, {} triangles, {} images, {} lights\n",
                quoted_for_message(options.input.string()), counts.meshes, counts.primitives,
                counts.vertices, counts.triangles, document.images.size(), document.lights.size());
+    for (std::size_t i = 0; i < document.scene->cameras.size(); ++i)
+        fmt::print("camera {} {}: {}\n", i, quoted_for_message(document.scene->cameras[i].name),
+                   described(document.scene->cameras[i]));
     for (const auto& [hash, image] : document.images)
         fmt::print("image {}: {}x{}, {} channels, {}\n", quoted_for_message(image->name),
                    image->width, image->height, image->channels, choice(image->type).label);

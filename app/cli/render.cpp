@@ -40,6 +40,7 @@ constexpr const char* kRenderFooter =
     "  patina render model.glb --light "
     "'{\"kind\":\"sphere\",\"position\":[1,2,1],\"radius\":0.3}'\n"
     "      --samples 256 -o lamp.png\n"
+    "  patina render model.glb --camera 0 -o as-the-file-looks.png\n"
     "  patina render model.glb --environment garden.hdr --background environment\n"
     "      --camera-position 2,1,3 --camera-target 0,0.5,0 --fov-y 35 --samples 64 -o picture.exr";
 

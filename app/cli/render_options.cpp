@@ -321,26 +321,36 @@ void add_background_option(CLI::App& command, RenderOptions& options) {
         ->default_str("studio");
 }
 
+void add_projection_options(CLI::App& command, RenderOptions& options) {
+    auto* fov =
+        command.add_option("--fov-y", options.fov_y_degrees, "Field of view from top to bottom")
+            ->check(CLI::Range(1.0, 160.0))
+            ->type_name("DEG")
+            ->default_str("30, or as --camera has it");
+    command
+        .add_option("--orthographic", options.orthographic_height,
+                    "No perspective: metres from the bottom of the picture to its top")
+        ->check(CLI::PositiveNumber)
+        ->type_name("HEIGHT")
+        ->excludes(fov);
+}
+
 void add_camera_options(CLI::App& command, RenderOptions& options) {
+    auto* camera = command
+                       .add_option("--camera", options.camera,
+                                   "A camera of the file, by its name or the number that 'patina "
+                                   "info' lists it with")
+                       ->type_name("NAME");
     auto* position = add_vector_option(command, "--camera-position", options.camera_position,
-                                       "Where the camera stands; it frames the scene if unset");
+                                       "Where the camera stands; it frames the scene if unset")
+                         ->excludes(camera);
     add_vector_option(command, "--camera-target", options.camera_target,
                       "What it looks at; the middle of the scene if unset")
         ->needs(position);
     add_vector_option(command, "--camera-up", options.camera_up, "What is up in the picture")
         ->default_str("0,1,0")
         ->needs(position);
-    command
-        .add_option("--fov-y", options.request.view.camera.fov_y_degrees,
-                    "Field of view from top to bottom")
-        ->check(CLI::Range(1.0, 160.0))
-        ->type_name("DEG")
-        ->capture_default_str();
-    command
-        .add_option("--orthographic", options.request.view.camera.orthographic_height,
-                    "No perspective: metres from the bottom of the picture to its top")
-        ->check(CLI::PositiveNumber)
-        ->type_name("HEIGHT");
+    add_projection_options(command, options);
     command
         .add_option("--turntable", options.turntable,
                     "So many pictures all around the target: OUT-000.png, OUT-001.png ...")
@@ -351,7 +361,8 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
         [&options](const auto& entry) { options.request.automatic_camera = entry.value; },
         "From where the scene is framed")
         ->default_str("three-quarter")
-        ->excludes(position);
+        ->excludes(position)
+        ->excludes(camera);
 }
 
 }  // namespace

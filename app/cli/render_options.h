@@ -20,10 +20,13 @@ struct RenderOptions {
     std::filesystem::path output;
     Changes changes;
     std::optional<float> sun_elevation_degrees;  ///< unset: as the document says
-    std::string environment;  ///< a built-in name or a file; empty: as the document says
+    std::string environment;            ///< a built-in name or a file; empty: as the document says
+    std::optional<std::string> camera;  ///< of the file: its name or number
     std::optional<glm::vec3> camera_position;
     std::optional<glm::vec3> camera_target;
     std::optional<glm::vec3> camera_up;
+    std::optional<float> fov_y_degrees;
+    std::optional<float> orthographic_height;
     std::optional<render::RenderPath> against_path;
     std::optional<render::PbrTerms> against_terms;
     std::optional<int> turntable;

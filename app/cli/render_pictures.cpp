@@ -6,6 +6,7 @@
 
 #include "cli/difference_scale.h"
 #include "cli/input.h"
+#include "cli/render_camera.h"
 #include "core/log.h"
 #include "io/image_file.h"
 #include "render/environment.h"
@@ -46,16 +47,6 @@ Status set_environment(const RenderOptions& options, io::LoadedDocument& loaded,
     }
     loaded.document = std::make_shared<const Document>(std::move(document));
     return {};
-}
-
-void set_camera(const RenderOptions& options, const Document& document,
-                render::OffscreenRequest& request) {
-    render::Camera& camera = request.view.camera;
-    if (options.camera_up) camera.up = *options.camera_up;
-    if (!options.camera_position) return;
-    request.automatic_camera.reset();
-    camera.position = *options.camera_position;
-    camera.target = options.camera_target.value_or(document.scene->bounds_world.center());
 }
 
 /// Terms by themselves go over those of a set; a set of the right side's own stays as it is.
@@ -137,7 +128,8 @@ Status draw_pictures(const RenderOptions& options, const render::EachPicture& ea
     request.environment_cache = render::user_environment_cache();
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
     if (const Status lit = set_environment(options, *loaded, request); !lit) return lit;
-    set_camera(options, *loaded->document, request);
+    if (const Status placed = set_camera(options, *loaded->document, request); !placed)
+        return placed;
     set_sides(options, request.view);
     if (const auto sheet = sheet_of(options))
         return draw_sheet(options, *sheet, *loaded, request, each, progress);

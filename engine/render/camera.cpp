@@ -69,6 +69,12 @@ float height_at_target(const Camera& camera) {
     return 2.0f * glm::distance(camera.position, camera.target) * tangent_of_half_fov(camera);
 }
 
+/// The direction of an axis; a node that a file scales by nothing has none.
+glm::vec3 unit_or(const glm::vec4& axis, const glm::vec3& otherwise) {
+    const float length = glm::length(glm::vec3(axis));
+    return length > 0.0f && std::isfinite(length) ? glm::vec3(axis) / length : otherwise;
+}
+
 }  // namespace
 
 Camera framed_from(const Camera& camera, const Bounds& bounds, float aspect) {
@@ -136,12 +142,12 @@ Camera with_other_projection(const Camera& camera) {
 Camera camera_of(const SceneCamera& camera, const Bounds& bounds) {
     Camera result;
     result.position = glm::vec3(camera.world_from_camera[3]);
-    const glm::vec3 forward = -glm::normalize(glm::vec3(camera.world_from_camera[2]));
+    const glm::vec3 forward = -unit_or(camera.world_from_camera[2], {0.0f, 0.0f, 1.0f});
     const glm::vec3 middle = or_unit_ball(bounds).center();
     const float along = glm::dot(middle - result.position, forward);
     result.target = result.position + forward * (along > 0.0f ? along : 1.0f);
-    result.up = glm::normalize(glm::vec3(camera.world_from_camera[1]));
-    result.fov_y_degrees = glm::degrees(camera.fov_y_radians);
+    result.up = unit_or(camera.world_from_camera[1], {0.0f, 1.0f, 0.0f});
+    result.fov_y_degrees = std::clamp(glm::degrees(camera.fov_y_radians), 1.0f, 160.0f);
     result.orthographic_height = camera.orthographic_height;
     return result;
 }

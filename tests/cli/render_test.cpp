@@ -131,6 +131,32 @@ TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
     }
 }
 
+TEST_F(Render, ACameraOfTheFileIsThatCameraPlacedByHand) {
+    input_ = triangle_with_cameras();
+    const auto drawn = [&](std::vector<std::string> words) {
+        words.insert(words.end(), {"--channel", "position"});
+        EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);
+        return png_picture(at("a.png")).rgba;
+    };
+    const std::string close = drawn({"--camera", "Close"});
+    EXPECT_TRUE(close == drawn({"--camera", "0"}));
+    EXPECT_TRUE(close ==
+                drawn({"--camera-position", "0,0,3", "--camera-target", "0,0,0", "--fov-y", "45"}));
+    EXPECT_FALSE(close == drawn({"--camera", "Close", "--fov-y", "20"}));
+    EXPECT_FALSE(close == drawn({"--camera", "Side"}));
+}
+
+TEST_F(Render, ACameraThatTheFileHasNotIsOneLineThatNamesThoseThatItHas) {
+    input_ = triangle_with_cameras();
+    const Outcome unknown = render({"--camera", "2"}, "a.png");
+    EXPECT_TRUE(failed_with_one_line(unknown));
+    EXPECT_THAT(unknown.errors, HasSubstr("0 'Close', 1 'Side'"));
+    EXPECT_EQ(render({"--camera", "Side", "--view", "top"}, "a.png").status, 2);
+    EXPECT_EQ(render({"--camera", "Side", "--camera-position", "1,1,1"}, "a.png").status, 2);
+    input_ = sample();
+    EXPECT_THAT(render({"--camera", "Side"}, "a.png").errors, HasSubstr("has no cameras"));
+}
+
 TEST_F(Render, ASplitIsTheShadingOfThatNameAndAMaterialPresetIsAPreset) {
     const auto picture = [&](const std::vector<std::string>& words) {
         EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);

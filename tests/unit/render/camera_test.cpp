@@ -115,6 +115,18 @@ TEST(Camera, OneDollyStepHalvesTheDistance) {
                 0.5f * glm::distance(before.position, before.target), 1e-5f);
 }
 
+TEST(Camera, OneOfTheFileThatIsScaledToNothingStillLooksSomewhere) {
+    SceneCamera flat;
+    flat.world_from_camera = glm::mat4(0.0f);
+    flat.world_from_camera[3] = glm::vec4(0.0f, 0.0f, 4.0f, 1.0f);
+    flat.fov_y_radians = 3.1f;
+    const Camera camera = camera_of(flat, kBox);
+    EXPECT_EQ(camera.position, glm::vec3(0.0f, 0.0f, 4.0f));
+    EXPECT_LT(camera.target.z, 4.0f);
+    EXPECT_EQ(camera.up, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_LE(camera.fov_y_degrees, 160.0f);
+}
+
 TEST(Camera, EmptyBoundsAreFramedAsAUnitBall) {
     EXPECT_EQ(framed(Bounds{}, 1.0f).target, glm::vec3(0.0f));
     EXPECT_GT(glm::length(framed(Bounds{}, 1.0f).position), 1.0f);
