@@ -61,6 +61,7 @@ Status set_camera(const RenderOptions& options, const Document& document,
         camera.position = *options.camera_position;
         camera.target = options.camera_target.value_or(bounds.center());
     }
+    request.automatic_target = options.camera_target;
     if (options.camera || options.camera_position) request.automatic_camera.reset();
     return {};
 }

@@ -346,10 +346,10 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
                          ->excludes(camera);
     add_vector_option(command, "--camera-target", options.camera_target,
                       "What it looks at; the middle of the scene if unset")
-        ->needs(position);
+        ->excludes(camera);
     add_vector_option(command, "--camera-up", options.camera_up, "What is up in the picture")
         ->default_str("0,1,0")
-        ->needs(position);
+        ->excludes(camera);
     add_projection_options(command, options);
     command
         .add_option("--turntable", options.turntable,

@@ -78,9 +78,15 @@ glm::vec3 unit_or(const glm::vec4& axis, const glm::vec3& otherwise) {
 }  // namespace
 
 Camera framed_from(const Camera& camera, const Bounds& bounds, float aspect) {
+    Camera result = camera;
+    result.target = or_unit_ball(bounds).center();
+    result.position += result.target - camera.target;
+    return framed_around(result, bounds, aspect);
+}
+
+Camera framed_around(const Camera& camera, const Bounds& bounds, float aspect) {
     const Bounds shown = or_unit_ball(bounds);
     Camera result = camera;
-    result.target = shown.center();
     const glm::vec3 offset = camera.position - camera.target;
     const glm::vec3 back = glm::dot(offset, offset) > 0.0f
                                ? glm::normalize(offset)

@@ -29,6 +29,8 @@ Camera framed(const Bounds& bounds, float aspect,
               ViewDirection direction = ViewDirection::ThreeQuarter, float fov_y_degrees = 30.0f);
 /// The same direction and field of view, moved so that `bounds` fill the view again.
 Camera framed_from(const Camera& camera, const Bounds& bounds, float aspect);
+/// The same direction, target, field of view and up, from as near as `bounds` fit into the view.
+Camera framed_around(const Camera& camera, const Bounds& bounds, float aspect);
 /// The same field of view or orthographic, from that direction, with `bounds` filling the view.
 Camera framed_from_direction(const Camera& camera, const Bounds& bounds, float aspect,
                              ViewDirection direction);

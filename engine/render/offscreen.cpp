@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "composite/composite.h"
 #include "core/log.h"
@@ -81,20 +82,29 @@ Status set_environment(Renderer& renderer, const Document& document,
     return renderer.set_environment(*filtered);
 }
 
+Camera automatic_camera(const OffscreenRequest& request, const Bounds& bounds) {
+    const float aspect = static_cast<float>(request.size.width) /
+                         static_cast<float>(std::max(1, request.size.height));
+    const bool halves = request.view.compare == CompareMode::TwoViews;
+    const float side_aspect = halves ? 0.5f * aspect : aspect;
+    const Camera& asked = request.view.camera;
+    Camera camera = framed(bounds, side_aspect, *request.automatic_camera, asked.fov_y_degrees);
+    camera.up = asked.up;
+    if (request.automatic_target) {
+        camera.position += *request.automatic_target - camera.target;
+        camera.target = *request.automatic_target;
+    }
+    camera = framed_around(camera, bounds, side_aspect);
+    camera.orthographic_height = asked.orthographic_height;
+    return camera;
+}
+
 View view_of(const Document& document, const OffscreenRequest& request, const Bounds& bounds) {
     View view = request.view;
     view.lights.insert(view.lights.end(), document.lights.begin(), document.lights.end());
     view.environment_rotation_degrees += document.environment.rotation_degrees;
     view.environment_intensity *= document.environment.intensity;
-    if (request.automatic_camera) {
-        const float aspect = static_cast<float>(request.size.width) /
-                             static_cast<float>(std::max(1, request.size.height));
-        const bool halves = view.compare == CompareMode::TwoViews;
-        const float orthographic_height = view.camera.orthographic_height;
-        view.camera = framed(bounds, halves ? 0.5f * aspect : aspect, *request.automatic_camera,
-                             view.camera.fov_y_degrees);
-        view.camera.orthographic_height = orthographic_height;
-    }
+    if (request.automatic_camera) view.camera = automatic_camera(request, bounds);
     return view;
 }
 
@@ -178,9 +188,12 @@ Status render_turntable_offscreen(const Document& document, ImageProvider& image
                                   const EachPicture& each, const Progress& progress) {
     const auto turned = [pictures](const View& first, int i) {
         View view = first;
-        if (i > 0)
-            view.camera = orbited(
-                first.camera, 360.0f * static_cast<float>(i) / static_cast<float>(pictures), 0.0f);
+        if (i == 0) return view;
+        const float degrees = 360.0f * static_cast<float>(i) / static_cast<float>(pictures);
+        view.camera = orbited(first.camera, degrees, 0.0f);
+        // A camera that leans leans all the way around.
+        const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), glm::radians(degrees), {0, 1, 0});
+        view.camera.up = glm::mat3(turn) * first.camera.up;
         return view;
     };
     return render_series(document, images, request, {pictures, turned}, each, progress);

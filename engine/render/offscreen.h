@@ -26,8 +26,10 @@ struct OffscreenRequest {
     /// Everything but what the document says: its lights are added to the view's, its environment's
     /// rotation is added and its intensity multiplied.
     View view;
-    /// Set: `view.camera` is replaced by one that frames the scene from here.
+    /// Set: `view.camera`, but for its up and its lens, is replaced by one that frames the scene
+    /// from here.
     std::optional<ViewDirection> automatic_camera = ViewDirection::ThreeQuarter;
+    std::optional<glm::vec3> automatic_target;  ///< what that one looks at; unset: the middle
     /// An equirectangular map that is decoded already; null: the built-in one that the document
     /// names, or the studio.
     ImagePtr environment;

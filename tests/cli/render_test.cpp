@@ -115,6 +115,8 @@ TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
     for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
              {"--camera-position", "0,1,4", "--camera-target", "0,0.5,0", "--fov-y", "40"},
              {"--view", "back"},
+             {"--camera-target", "0.5,0.5,0"},
+             {"--camera-up", "1,1,0"},
              {"--exposure", "2"},
              {"--tone-map", "none"},
              {"--background", "#ff8000"},
@@ -144,6 +146,19 @@ TEST_F(Render, ACameraOfTheFileIsThatCameraPlacedByHand) {
                 drawn({"--camera-position", "0,0,3", "--camera-target", "0,0,0", "--fov-y", "45"}));
     EXPECT_FALSE(close == drawn({"--camera", "Close", "--fov-y", "20"}));
     EXPECT_FALSE(close == drawn({"--camera", "Side"}));
+}
+
+TEST_F(Render, ATurntableLeansAllTheWayAround) {
+    input_ = triangle_with_cameras();
+    ASSERT_TRUE(succeeded(render({"--turntable", "2", "--view", "front", "--camera-up", "1,0,0",
+                                  "--channel", "geometric-normal"},
+                                 "spin.png")));
+    // The tip points to the left from in front and from behind; the base stands at the right.
+    for (const std::string file : {"spin-000.png", "spin-001.png"}) {
+        const Picture picture = png_picture(at(file));
+        EXPECT_NE(picture.texel(48, 9), picture.texel(0, 0)) << file;
+        EXPECT_EQ(picture.texel(16, 9), picture.texel(0, 0)) << file;
+    }
 }
 
 TEST_F(Render, ACameraThatTheFileHasNotIsOneLineThatNamesThoseThatItHas) {

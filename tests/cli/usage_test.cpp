@@ -49,7 +49,7 @@ TEST_F(Usage, WrongUsageIsStatusTwoAndOneLineThatPointsToTheHelp) {
         {"render", "in.glb", "-o", at("out.png"), "--channel", "smell"},
         {"render", "in.glb", "-o", at("out.png"), "--background", "#12345g"},
         {"render", "in.glb", "-o", at("out.png"), "--camera-position", "1,2"},
-        {"render", "in.glb", "-o", at("out.png"), "--camera-target", "1,2,3"},
+        {"render", "in.glb", "-o", at("out.png"), "--camera", "0", "--camera-target", "1,2,3"},
         {"preset"},
         {"sample", "--shape", "teapot", "-o", at("out.glb")},
     };

@@ -17,21 +17,27 @@ glm::vec3 clip_position(const Camera& camera, const Bounds& bounds, float aspect
     return glm::vec3(clip) / clip.w;
 }
 
+/// How far from the middle of the picture the corners lie at most; 1 is its edge.
+float reach_of_corners(const Camera& camera, const Bounds& bounds, float aspect) {
+    float reach = 0.0f;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::vec3 corner((i & 1u) != 0 ? bounds.high.x : bounds.low.x,
+                               (i & 2u) != 0 ? bounds.high.y : bounds.low.y,
+                               (i & 4u) != 0 ? bounds.high.z : bounds.low.z);
+        const glm::vec3 clip = clip_position(camera, bounds, aspect, corner);
+        EXPECT_LE(std::abs(clip.z), 1.0f);
+        reach = std::max({reach, std::abs(clip.x), std::abs(clip.y)});
+    }
+    return reach;
+}
+
 TEST(Camera, FramingShowsEveryCornerFromEveryDirection) {
     for (const ViewDirection direction :
          {ViewDirection::ThreeQuarter, ViewDirection::Front, ViewDirection::Back,
           ViewDirection::Left, ViewDirection::Right, ViewDirection::Top, ViewDirection::Bottom})
         for (const float aspect : {0.5f, 1.0f, 16.0f / 9.0f}) {
             const Camera camera = framed(kBox, aspect, direction);
-            float reach = 0.0f;
-            for (unsigned i = 0; i < 8; ++i) {
-                const glm::vec3 corner((i & 1u) != 0 ? kBox.high.x : kBox.low.x,
-                                       (i & 2u) != 0 ? kBox.high.y : kBox.low.y,
-                                       (i & 4u) != 0 ? kBox.high.z : kBox.low.z);
-                const glm::vec3 clip = clip_position(camera, kBox, aspect, corner);
-                EXPECT_LE(std::abs(clip.z), 1.0f);
-                reach = std::max({reach, std::abs(clip.x), std::abs(clip.y)});
-            }
+            const float reach = reach_of_corners(camera, kBox, aspect);
             EXPECT_LE(reach, 0.92f);
             EXPECT_GE(reach, 0.85f) << "no larger margin than needed";
         }
@@ -113,6 +119,19 @@ TEST(Camera, OneDollyStepHalvesTheDistance) {
     const Camera after = dollied(before, 1.0f);
     EXPECT_NEAR(glm::distance(after.position, after.target),
                 0.5f * glm::distance(before.position, before.target), 1e-5f);
+}
+
+TEST(Camera, FramingAroundAnotherTargetShowsEveryCornerAndKeepsTargetAndUp) {
+    Camera aimed;
+    aimed.target = kBox.high;
+    aimed.position = kBox.high + glm::vec3(1.0f, 0.5f, 2.0f);
+    aimed.up = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
+    const Camera camera = framed_around(aimed, kBox, 1.5f);
+    EXPECT_EQ(camera.target, aimed.target);
+    EXPECT_EQ(camera.up, aimed.up);
+    const float reach = reach_of_corners(camera, kBox, 1.5f);
+    EXPECT_LE(reach, 0.92f);
+    EXPECT_GE(reach, 0.85f) << "no farther than needed";
 }
 
 TEST(Camera, OneOfTheFileThatIsScaledToNothingStillLooksSomewhere) {
