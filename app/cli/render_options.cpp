@@ -305,20 +305,23 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_background_option(CLI::App& command, RenderOptions& options) {
-    render::Background& background = options.request.view.background;
-    const auto choose = [&background](const std::string& text) {
+    const auto choose = [&options](const std::string& text) {
         if (const auto color = html_color(text)) {
-            background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
+            options.background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
             return;
         }
         const auto* choice = render::choice_from_id(render::kBackgrounds, text);
         if (choice == nullptr || choice->value == render::Background::Kind::Color)
             throw CLI::ValidationError("--background", fmt::format("'{}' is no background", text));
-        background.kind = choice->value;
+        options.background = {.kind = choice->value};
     };
-    command.add_option_function<std::string>("--background", choose, "What is behind the model")
+    command
+        .add_option_function<std::string>(
+            "--background", choose,
+            "What is behind the model. The studio's backdrop and a colour are as on a screen, no\n"
+            "light of the scene, so that an .exr has them only where they are asked for")
         ->type_name("studio|environment|blurred|none|#rrggbb")
-        ->default_str("studio");
+        ->default_str("studio, or none in an .exr");
 }
 
 void add_projection_options(CLI::App& command, RenderOptions& options) {

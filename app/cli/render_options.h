@@ -20,7 +20,8 @@ struct RenderOptions {
     std::filesystem::path output;
     Changes changes;
     std::optional<float> sun_elevation_degrees;  ///< unset: as the document says
-    std::string environment;            ///< a built-in name or a file; empty: as the document says
+    std::string environment;  ///< a built-in name or a file; empty: as the document says
+    std::optional<render::Background> background;
     std::optional<std::string> camera;  ///< of the file: its name or number
     std::optional<glm::vec3> camera_position;
     std::optional<glm::vec3> camera_target;

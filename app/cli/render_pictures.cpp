@@ -49,6 +49,12 @@ Status set_environment(const RenderOptions& options, io::LoadedDocument& loaded,
     return {};
 }
 
+/// Linear radiance has no place for a backdrop that is painted for a screen.
+render::Background default_background(const render::OffscreenRequest& request) {
+    using Kind = render::Background::Kind;
+    return {.kind = request.linear ? Kind::Transparent : Kind::Studio};
+}
+
 /// Terms by themselves go over those of a set; a set of the right side's own stays as it is.
 void set_sides(const RenderOptions& options, render::View& view) {
     for (const auto& change : options.term_changes) {
@@ -127,6 +133,7 @@ Status draw_pictures(const RenderOptions& options, const render::EachPicture& ea
     render::OffscreenRequest request = options.request;
     request.environment_cache = render::user_environment_cache();
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
+    request.view.background = options.background.value_or(default_background(request));
     if (const Status lit = set_environment(options, *loaded, request); !lit) return lit;
     if (const Status placed = set_camera(options, *loaded->document, request); !placed)
         return placed;

@@ -46,6 +46,17 @@ TEST_F(Render, WritesLinearLightAsExr) {
     EXPECT_TRUE(file_text(at("picture.exr")).starts_with("\x76\x2f\x31\x01"));
 }
 
+TEST_F(Render, LinearLightHasABackgroundOnlyWhereOneIsAskedFor) {
+    const auto drawn = [&](const std::vector<std::string>& words) {
+        EXPECT_TRUE(succeeded(render(words, "a.exr"))) << testing::PrintToString(words);
+        return file_text(at("a.exr"));
+    };
+    const std::string plain = drawn({});
+    EXPECT_TRUE(plain == drawn({"--background", "none"}));
+    for (const std::string background : {"studio", "environment", "#ff8000"})
+        EXPECT_FALSE(plain == drawn({"--background", background})) << background;
+}
+
 TEST_F(Render, TheStripIsTenPicturesWideAndAllChannelsStandInASquare) {
     ASSERT_TRUE(succeeded(render({"--channel", "strip"}, "strip.png")));
     EXPECT_EQ(png_size(file_text(at("strip.png"))), std::pair(640, 48));
