@@ -131,6 +131,7 @@ Status draw_pictures(const RenderOptions& options, const render::EachPicture& ea
     auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
     if (!loaded) return passed_on(loaded);
     render::OffscreenRequest request = options.request;
+    request.costs_wanted = options.work.json;
     request.environment_cache = render::user_environment_cache();
     request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
     request.view.background = options.background.value_or(default_background(request));

@@ -134,6 +134,11 @@ Result<gl::HeadlessContext> context_that_logs() {
         [](std::string_view message) { log_warning("OpenGL: {}", message); });
 }
 
+Result<Image> still_of(Renderer& renderer, const View& view, const OffscreenRequest& request) {
+    if (request.linear) return renderer.still_linear(view, request.size, request.samples);
+    return renderer.still_srgb(view, request.size, request.samples, request.sample_type);
+}
+
 /// Pictures of one scene in one light.
 struct Series {
     int count = 1;
@@ -150,13 +155,13 @@ Status render_series(const Document& document, ImageProvider& images,
     if (!renderer) return passed_on(renderer);
     progress.set_stage("Rendering");
     const View first = view_of(document, request, renderer->bounds_world());
+    if (request.costs_wanted && request.samples == 1)
+        if (const auto warmed = still_of(*renderer, series.view(first, 0), request); !warmed)
+            return passed_on(warmed);
     for (int i = 0; i < series.count; ++i) {
         const View view = series.view(first, i);
         const auto start = std::chrono::steady_clock::now();
-        Result<Image> image =
-            request.linear
-                ? renderer->still_linear(view, request.size, request.samples)
-                : renderer->still_srgb(view, request.size, request.samples, request.sample_type);
+        Result<Image> image = still_of(*renderer, view, request);
         if (!image) return passed_on(image);
         result.image = std::move(*image);
         result.render_ms = elapsed_ms(start);

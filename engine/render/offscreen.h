@@ -34,7 +34,10 @@ struct OffscreenRequest {
     /// names, or the studio.
     ImagePtr environment;
     EnvironmentCache environment_cache = {};  ///< where filtered environments are kept; nowhere
-    int max_map_size = kMaxResolution;        ///< baked maps are made at most this large
+    /// The costs of a picture are to be known: one of a single draw is drawn once more before, or
+    /// they would be those of compiling programs.
+    bool costs_wanted = false;
+    int max_map_size = kMaxResolution;  ///< baked maps are made at most this large
 };
 
 struct RenderedImage {
