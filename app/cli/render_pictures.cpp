@@ -2,6 +2,7 @@
 #include "cli/render_pictures.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include "cli/difference_scale.h"
@@ -14,11 +15,21 @@
 namespace patina::cli {
 namespace {
 
+/// A row or two over is how some programs write them.
+void warn_unless_equirectangular(const std::string& name, const Image& map) {
+    if (std::abs(map.width - 2 * map.height) <= map.height / 50) return;
+    log_warning(
+        "{} is {}x{}, not twice as wide as high: it is read as an equirectangular map all "
+        "the same, its light is stretched",
+        quoted_for_message(name), map.width, map.height);
+}
+
 Result<ImagePtr> environment_map(const std::filesystem::path& path) {
     const auto bytes = read_file(path);
     if (!bytes) return passed_on(bytes);
     auto map = io::decode_image(*bytes, path.string());
     if (!map) return failure("{}: {}", quoted_for_message(path.string()), map.error().message);
+    warn_unless_equirectangular(path.string(), **map);
     return map;
 }
 

@@ -356,6 +356,17 @@ TEST_F(Render, TheSunOfTheSkyIsMovedAndNoOther) {
     EXPECT_EQ(render({"--environment", "sky", "--sun-elevation", "91"}, "a.png").status, 2);
 }
 
+TEST_F(Render, AnEnvironmentOfAnotherShapeIsTakenWithOneLineOfWarning) {
+    ASSERT_TRUE(succeeded(render({"--size", "128x64"}, "twice-as-wide.png")));
+    ASSERT_TRUE(succeeded(render({}, "photo.png")));
+    const Outcome fits = render({"--environment", at("twice-as-wide.png")}, "picture.png");
+    ASSERT_TRUE(succeeded(fits));
+    EXPECT_THAT(fits.errors, testing::Not(HasSubstr("twice as wide as high")));
+    const Outcome photo = render({"--environment", at("photo.png")}, "picture.png");
+    ASSERT_TRUE(succeeded(photo));
+    EXPECT_THAT(photo.errors, HasSubstr("photo.png is 64x48, not twice as wide as high"));
+}
+
 TEST_F(Render, AnEnvironmentThatIsNoImageIsOneLine) {
     std::ofstream(at("fake.hdr")) << "no picture";
     const Outcome outcome = render({"--environment", at("fake.hdr")}, "picture.png");
