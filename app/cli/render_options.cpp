@@ -260,9 +260,8 @@ void add_channel_options(CLI::App& command, RenderOptions& options) {
     command.add_option("--columns", options.columns, "Channels in a row of that picture")
         ->check(CLI::Range(1, render::kChannelViewCount))
         ->type_name("N");
-    command.add_flag_callback(
-        "--no-labels", [&options] { options.labels = false; },
-        "Write nothing on pictures: no names of channels, no scale of a difference");
+    add_off_flag(command, "--no-labels", options.labels,
+                 "Write nothing on pictures: no names of channels, no scale of a difference");
 }
 
 void add_light_options(CLI::App& command, RenderOptions& options) {
@@ -291,17 +290,17 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("X")
         ->capture_default_str();
-    command.add_flag("!--no-normal-filter", view.filter_normals,
-                     "Leave out of roughness what of normal maps is finer than a pixel; from 64 "
-                     "samples on it is left out anyway");
-    command.add_flag("!--no-reflection-occlusion", view.occlude_reflections,
-                     "Hold mirrored light back by the occlusion map as much as diffuse light, and "
-                     "mirror what lies below the surface");
-    command.add_flag("!--no-ground-shadow", view.ground_shadow,
-                     "Leave the floor or ground of the background without the model's shadow");
-    command.add_flag("!--no-shadows", view.shadows,
-                     "Let suns of the environment, the strongest lamps and the light of the "
-                     "traditional models cast none");
+    add_off_flag(command, "--no-normal-filter", view.filter_normals,
+                 "Leave out of roughness what of normal maps is finer than a pixel; from 64 "
+                 "samples on it is left out anyway");
+    add_off_flag(command, "--no-reflection-occlusion", view.occlude_reflections,
+                 "Hold mirrored light back by the occlusion map as much as diffuse light, and "
+                 "mirror what lies below the surface");
+    add_off_flag(command, "--no-ground-shadow", view.ground_shadow,
+                 "Leave the floor or ground of the background without the model's shadow");
+    add_off_flag(command, "--no-shadows", view.shadows,
+                 "Let suns of the environment, the strongest lamps and the light of the "
+                 "traditional models cast none");
 }
 
 void add_background_option(CLI::App& command, RenderOptions& options) {

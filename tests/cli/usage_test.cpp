@@ -30,6 +30,12 @@ TEST_F(Usage, EveryCommandHasHelpWithAnExample) {
     }
 }
 
+TEST_F(Usage, FlagsThatTurnSomethingOffAreNamedPlainlyInTheHelp) {
+    const Outcome help = patina({"render", "--help"});
+    EXPECT_THAT(help.out, HasSubstr("--no-shadows "));
+    EXPECT_THAT(help.out, testing::Not(HasSubstr("{false}")));
+}
+
 TEST_F(Usage, TheVersionIsOneLine) {
     const Outcome version = patina({"--version"});
     ASSERT_TRUE(succeeded(version));
