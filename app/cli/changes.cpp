@@ -128,7 +128,8 @@ void add_change_options(CLI::App& app, Changes& changes) {
                    changes.lights.push_back(std::move(*light));
                }
            },
-           "One more lamp, as JSON. Kinds: directional, point, spot, sphere, rectangle:\n"
+           "One more lamp, as JSON. Kinds: directional, point, spot, sphere, rectangle. Angles\n"
+           "(inner-cone, outer-cone, turn) are in radians as in glTF, lengths in metres:\n"
            R"({"kind":"sphere","position":[1,2,1],"intensity":20,"radius":0.3})")
         ->allow_extra_args(false)
         ->type_name("JSON");

@@ -269,6 +269,15 @@ constexpr bool rows_match_enumerators() {
 }
 static_assert(rows_match_enumerators(), "kParameters has one row per enumerator, in their order");
 
+/// What a file has a number in, to be written behind it. Angles of lights are radians, as glTF has
+/// them, and shown in degrees.
+std::string_view stored_unit(const ParameterInfo& row) {
+    if (row.display_scale == kDegreesPerRadian) return " radians";
+    if (row.display_scale != 1.0) return "";
+    if (row.unit == "°") return " degrees";
+    return row.unit == "m" ? " metres" : "";
+}
+
 }  // namespace
 
 std::span<const ParameterInfo> parameters() {
@@ -304,7 +313,8 @@ Parameter value_parameter(std::optional<Channel> channel) {
 Status check_range(Parameter parameter, double value) {
     const ParameterInfo& row = info(parameter);
     if (value >= row.minimum && value <= row.maximum) return {};  // false for NaN
-    return failure("{} must be {} to {}, got {}", row.label, row.minimum, row.maximum, value);
+    return failure("{} must be {} to {}{}, got {}", row.label, row.minimum, row.maximum,
+                   stored_unit(row), value);
 }
 
 }  // namespace patina

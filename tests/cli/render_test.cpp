@@ -329,6 +329,9 @@ TEST_F(Render, ALampThatIsNoneIsOneLine) {
     const Outcome outcome = render({"--light", R"({"kind":"candle"})"}, "picture.png");
     EXPECT_EQ(outcome.status, 2) << "wrong usage";
     EXPECT_THAT(outcome.errors, HasSubstr("/kind is none of"));
+    const Outcome degrees = render({"--light", R"({"kind":"spot","outer-cone":40})"}, "a.png");
+    EXPECT_EQ(degrees.status, 2);
+    EXPECT_THAT(degrees.errors, HasSubstr("Outer cone must be 0 to 1.5707964 radians, got 40"));
 }
 
 TEST_F(Render, GivesTheSamePictureTwiceAndAtAnyNumberOfThreads) {
