@@ -23,19 +23,29 @@ std::string_view first_broken(const std::array<Rule, N>& rules) {
 /// Of several channels in one picture.
 std::string_view sheet_conflict(const RenderOptions& options) {
     const bool sheet = options.channels.size() > 1;
-    const bool exr = io::image_format_of(options.output) == io::ImageFormat::Exr;
     const render::CompareMode compare = options.request.view.compare;
     return first_broken(std::array{
         Rule{sheet && options.turntable.has_value(),
              "--turntable takes one channel: name one with --channel"},
-        Rule{sheet && exr,
-             "an .exr holds the raw numbers of one channel: name one with --channel, or write a "
-             ".png"},
         Rule{sheet && compare != render::CompareMode::Single &&
                  compare != render::CompareMode::Split,
              "several channels can be --split, but not shown as two views or as a difference"},
         Rule{!sheet && options.columns.has_value(),
              "--columns is of several channels: add --channel all, strip or a list"},
+    });
+}
+
+/// Of linear radiance and raw numbers.
+std::string_view exr_conflict(const CLI::App& command, const RenderOptions& options) {
+    const bool exr = io::image_format_of(options.output) == io::ImageFormat::Exr;
+    return first_broken(std::array{
+        Rule{exr && options.channels.size() > 1,
+             "an .exr holds the raw numbers of one channel: name one with --channel, or write a "
+             ".png"},
+        Rule{exr && command.count("--wires") > 0,
+             "--wires are no light: an .exr has none, write a .png"},
+        Rule{exr && command.count("--bits") > 0,
+             "--bits is of a .png or .tif: an .exr holds 32-bit floats"},
     });
 }
 
@@ -80,7 +90,7 @@ std::string_view difference_conflict(const CLI::App& command, const RenderOption
 
 std::string_view conflict_in(const CLI::App& command, const RenderOptions& options) {
     for (const std::string_view conflict :
-         {sheet_conflict(options), side_conflict(command, options),
+         {sheet_conflict(options), exr_conflict(command, options), side_conflict(command, options),
           difference_conflict(command, options)})
         if (!conflict.empty()) return conflict;
     return {};

@@ -59,6 +59,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         command, "--tone-map", render::kToneMaps,
         [&view](const auto& entry) { view.tone_map = entry.value; }, "How light becomes colour")
         ->default_str("pbr-neutral");
+    command.add_flag("--wires", view.wires, "Draw the edges of the triangles over the picture");
 }
 
 /// Terms by themselves, which go over those of --terms.

@@ -136,7 +136,11 @@ Result<gl::HeadlessContext> context_that_logs() {
 
 Result<Image> still_of(Renderer& renderer, const View& view, const OffscreenRequest& request) {
     if (request.linear) return renderer.still_linear(view, request.size, request.samples);
-    return renderer.still_srgb(view, request.size, request.samples, request.sample_type);
+    Result<Image> still =
+        renderer.still_srgb(view, request.size, request.samples, request.sample_type);
+    if (still && view.wires)
+        if (Status laid = renderer.lay_wires(view, *still); !laid) return passed_on(laid);
+    return still;
 }
 
 /// Pictures of one scene in one light.

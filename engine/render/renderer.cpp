@@ -221,6 +221,11 @@ Status Renderer::draw_strip(const View& view, PictureSize thumbnail) {
     return draw_strip_frame(*state_, view, vector_of(thumbnail), **strip);
 }
 
+Status Renderer::lay_wires(const View& view, Image& still) {
+    if (Status ready = require_content(*state_); !ready) return ready;
+    return render::lay_wires(*state_, view, still);
+}
+
 std::uintptr_t Renderer::picture_texture() const {
     return texture_of(shown_picture(*state_));
 }

@@ -126,6 +126,7 @@ TEST_F(Render, TheCameraExposureAndBackgroundChangeThePicture) {
     for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
              {"--camera-position", "0,1,4", "--camera-target", "0,0.5,0", "--fov-y", "40"},
              {"--view", "back"},
+             {"--wires"},
              {"--camera-target", "0.5,0.5,0"},
              {"--camera-up", "1,1,0"},
              {"--exposure", "2"},
@@ -306,6 +307,26 @@ TEST_F(Render, ADifferenceOfWhatBothSidesShareIsWrongUsage) {
     EXPECT_TRUE(
         succeeded(render({"--shading", "difference", "--channel", "specular-ambient"}, "a.png")));
     EXPECT_EQ(render({"--difference-range", "2"}, "a.png").status, 2);
+}
+
+TEST_F(Render, WiresLieOverThePictureAndLeaveTheRestOfIt) {
+    input_ = triangle_with_cameras();
+    const auto drawn = [&](std::vector<std::string> words) {
+        words.insert(words.end(), {"--view", "front", "--background", "#102030"});
+        EXPECT_TRUE(succeeded(render(words, "a.png"))) << testing::PrintToString(words);
+        return png_picture(at("a.png"));
+    };
+    const Picture plain = drawn({});
+    const Picture wired = drawn({"--wires"});
+    EXPECT_EQ(wired.texel(32, 30), plain.texel(32, 30)) << "inside of the triangle";
+    EXPECT_EQ(wired.texel(4, 4), plain.texel(4, 4)) << "beside it";
+    int changed = 0;
+    for (int x = 0; x < 64; ++x) changed += wired.texel(x, 30) == plain.texel(x, 30) ? 0 : 1;
+    EXPECT_GE(changed, 2) << "both edges that the row crosses";
+    EXPECT_LE(changed, 6);
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"--wires"}, {"--bits", "16"}})
+        EXPECT_EQ(render(words, "a.exr").status, 2);
 }
 
 TEST_F(Render, ATurntableIsAFileForEachPictureAndTheFirstIsThePictureAlone) {
