@@ -197,7 +197,8 @@ DepthRange depth_range(const Camera& camera, const Bounds& bounds) {
         nearest = std::min(nearest, depth);
         farthest = std::max(farthest, depth);
     }
-    const float slack = 0.01f * (farthest - nearest);
+    // A flat scene that faces the camera has no depth of its own, but must not lie on the planes.
+    const float slack = std::max(0.01f * (farthest - nearest), 1e-3f * std::abs(farthest));
     const float far_m = std::max(farthest + slack, 1e-4f);
     // From inside the scene, a ten-thousandth of its size is as near as a 32-bit depth keeps.
     return {.near_m = std::max(nearest - slack, 1e-4f * far_m), .far_m = far_m};

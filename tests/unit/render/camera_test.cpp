@@ -115,6 +115,18 @@ TEST(Camera, OneDollyStepHalvesTheDistance) {
                 0.5f * glm::distance(before.position, before.target), 1e-5f);
 }
 
+TEST(Camera, AFlatSceneLiesBetweenThePlanesOfACameraThatFacesIt) {
+    const Bounds flat = {.low = {-1.0f, -1.0f, 0.0f}, .high = {1.0f, 1.0f, 0.0f}};
+    const Camera perspective = framed(flat, 1.0f, ViewDirection::Front);
+    for (const Camera& camera : {perspective, with_other_projection(perspective),
+                                 dollied(perspective, 8.0f), dollied(perspective, -8.0f)}) {
+        const DepthRange range = depth_range(camera, flat);
+        EXPECT_LT(range.near_m, 0.9999f * camera.position.z);
+        EXPECT_GT(range.far_m, 1.0001f * camera.position.z);
+        EXPECT_LT(std::abs(clip_position(camera, flat, 1.0f, {0.5f, 0.0f, 0.0f}).z), 0.999f);
+    }
+}
+
 TEST(Camera, EmptyBoundsAreFramedAsAUnitBall) {
     EXPECT_EQ(framed(Bounds{}, 1.0f).target, glm::vec3(0.0f));
     EXPECT_GT(glm::length(framed(Bounds{}, 1.0f).position), 1.0f);
