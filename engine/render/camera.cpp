@@ -161,6 +161,15 @@ Camera orbited(const Camera& camera, float yaw_degrees, float pitch_degrees) {
     return result;
 }
 
+Camera turned(const Camera& camera, float degrees) {
+    const glm::mat3 turn(
+        glm::rotate(glm::mat4(1.0f), glm::radians(degrees), glm::vec3(0.0f, 1.0f, 0.0f)));
+    Camera result = camera;
+    result.position = camera.target + turn * (camera.position - camera.target);
+    result.up = turn * camera.up;
+    return result;
+}
+
 Camera panned(const Camera& camera, float right, float up) {
     const glm::mat3 world_from_view = glm::transpose(glm::mat3(view_from_world(camera)));
     const glm::vec3 shift =

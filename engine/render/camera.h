@@ -40,8 +40,11 @@ Camera with_other_projection(const Camera& camera);
 Camera camera_of(const SceneCamera& camera, const Bounds& bounds);
 
 /// Turns around the target: `yaw_degrees` about +Y, counter-clockwise from above;
-/// `pitch_degrees` up, stopping short of the poles.
+/// `pitch_degrees` up, stopping short of the poles. +Y is up afterwards.
 Camera orbited(const Camera& camera, float yaw_degrees, float pitch_degrees);
+/// As if the scene stood on a turntable: position and up go about +Y through the target,
+/// counter-clockwise from above.
+Camera turned(const Camera& camera, float degrees);
 /// Moves camera and target along the picture: the point under the hand follows it.
 /// @param right, up  shares of the picture's height, positive right and up
 Camera panned(const Camera& camera, float right, float up);

@@ -153,7 +153,7 @@ Status render_turntable_offscreen(const Document& document, ImageProvider& image
     for (int i = 0; i < pictures; ++i) {
         if (i > 0)
             view.camera =
-                orbited(first, 360.0f * static_cast<float>(i) / static_cast<float>(pictures), 0.0f);
+                turned(first, 360.0f * static_cast<float>(i) / static_cast<float>(pictures));
         const auto start = std::chrono::steady_clock::now();
         Result<Image> image =
             request.linear

@@ -102,6 +102,19 @@ TEST(Camera, OrbitStopsShortOfThePoles) {
     EXPECT_LT(offset.y, 1.0f);
 }
 
+TEST(Camera, ATurntableTurnsWhatIsUpInThePictureToo) {
+    const Camera lying = {
+        .position = {0.0f, 1.0f, 5.0f}, .target = {0.0f, 1.0f, 0.0f}, .up = {1.0f, 0.0f, 0.0f}};
+    const Camera quarter = turned(lying, 90.0f);
+    EXPECT_NEAR(glm::distance(quarter.position, glm::vec3(5.0f, 1.0f, 0.0f)), 0.0f, 1e-5f);
+    EXPECT_NEAR(glm::distance(quarter.up, glm::vec3(0.0f, 0.0f, -1.0f)), 0.0f, 1e-6f);
+    // What turns with the camera stays where it was in the picture.
+    const glm::vec3 seen = glm::vec3(view_from_world(lying) * glm::vec4(0.3f, 1.2f, 0.1f, 1.0f));
+    const glm::vec3 after =
+        glm::vec3(view_from_world(quarter) * glm::vec4(0.1f, 1.2f, -0.3f, 1.0f));
+    EXPECT_NEAR(glm::distance(seen, after), 0.0f, 1e-5f);
+}
+
 TEST(Camera, PannedByHalfTheHeightPutsTheOldTargetAtTheEdge) {
     const Camera before = framed(kBox, 1.0f, ViewDirection::Front);
     const Camera after = panned(before, 0.0f, 0.5f);
