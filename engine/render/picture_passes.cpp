@@ -301,9 +301,11 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     program.set("clip_from_world", camera.clip_from_world);
     program.set("level_bias", camera.level_bias);
     bind_light(pass, program, state, {side, target, tables});
-    const auto order = blended ? back_to_front : front_to_back;
-    draw_surfaces(state, pass, program, base, order(state.scene->items, side.view.camera),
-                  surfaces);
+    if (blended)
+        draw_blended_surfaces(state, pass, program, base, side.view.camera);
+    else
+        draw_surfaces(state, pass, program, base,
+                      front_to_back(state.scene->items, side.view.camera), surfaces);
     return {};
 }
 
