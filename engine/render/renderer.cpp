@@ -83,9 +83,11 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       gbuffer("gbuffer"),
       strip_gbuffer("strip gbuffer"),
       inspection(with_depth(color_target("inspection", gl::Format::Rgba32F))),
-      radiance(with_depth(color_target("radiance", gl::Format::Rgba16F))),
-      left(with_depth(color_target("left", gl::Format::Rgba16F))),
-      right(with_depth(color_target("right", gl::Format::Rgba16F))),
+      // Highlights of smooth metal in the sun go beyond what half floats hold, and infinity less a
+      // share of itself is no number.
+      radiance(with_depth(color_target("radiance", gl::Format::Rgba32F))),
+      left(with_depth(color_target("left", gl::Format::Rgba32F))),
+      right(with_depth(color_target("right", gl::Format::Rgba32F))),
       picture(with_depth(color_target("picture", gl::Format::Rgba8))),
       smoothed(color_target("smoothed", gl::Format::Rgba8)),
       wires({.label = "wires",

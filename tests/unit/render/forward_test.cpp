@@ -152,6 +152,24 @@ TEST_F(ForwardTest, BothPathsDrawTheSamePictureOfSmoothAndRoughMetal) {
     }
 }
 
+TEST_F(ForwardTest, LightBeyondWhatHalfFloatsHoldIsStillANumberUnderWhatBlends) {
+    constexpr float kRadiance = 3e5f;
+    SurfaceMaterial blazing = constant_surface(glm::vec3(0.5f), 0.0f, 0.5f);
+    blazing[Slot::Emissive].multiply = glm::vec4(1.0f);
+    blazing.emissive_strength = kRadiance;
+    ASSERT_TRUE(renderer().set_material(0, blazing));
+    view_.left.path = RenderPath::Forward;
+    const Image picture = value_of(renderer().still_linear(view_, {64, 48}, 4));
+    float brightest = 0.0f;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const glm::vec4 pixel = pixel_of(picture, x, y);
+            ASSERT_TRUE(std::isfinite(pixel.r)) << x << " " << y;
+            brightest = std::max(brightest, pixel.r);
+        }
+    EXPECT_NEAR(brightest, kRadiance, 0.01f * kRadiance);
+}
+
 TEST_F(ForwardTest, APathIsOneSideOfAComparison) {
     view_.compare = CompareMode::Split;
     view_.right = view_.left;
