@@ -28,6 +28,16 @@ TEST_F(GlTest, AHeadlessContextHasOpenGl41AndOfMesaNothingNewer) {
     EXPECT_NE(description.find(", 4.1 "), std::string::npos) << description;
 }
 
+TEST(SoftwareRenderer, IsToldByItsNameFromAGraphicsCard) {
+    for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer",
+                             "Google SwiftShader", "GDI Generic", "Apple Software Renderer"})
+        EXPECT_TRUE(gl::is_software_renderer(name)) << name;
+    for (const char* name :
+         {"NVIDIA GeForce RTX 3060/PCIe/SSE2", "Mesa Intel(R) UHD Graphics 620 (KBL GT2)",
+          "AMD Radeon RX 6600 (navi23, LLVM 15.0.6, DRM 3.49)", "Apple M1", ""})
+        EXPECT_FALSE(gl::is_software_renderer(name)) << name;
+}
+
 TEST_F(GlTest, UploadedTexelsReadBackAsTheyWere) {
     auto texture = gl::Texture::make({.label = "bytes", .size = {3, 2}, .format = Format::Rgb8});
     ASSERT_TRUE(texture) << texture.error().message;
