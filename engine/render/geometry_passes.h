@@ -32,6 +32,9 @@ gl::Viewport area_seen(const Bounds& bounds, const FrameCamera& camera);
 
 enum class SurfaceSet { Opaque, Blended, All };
 bool belongs(const GpuMaterial& material, SurfaceSet surfaces);
+/// What casts shadows, in maps and on the floor. What blends stands for glass and smoke, which let
+/// light through: no shadow is nearer to theirs than that of a solid.
+inline constexpr SurfaceSet kShadowCasters = SurfaceSet::Opaque;
 
 /// Draws the items of a set in that order with a program that has the inputs of surface.vert and
 /// material.glsl.

@@ -137,23 +137,16 @@ Result<Renderer> Renderer::create() {
 }
 
 Status Renderer::set_scene(const ScenePtr& scene) {
-    GpuScene uploaded = upload_scene(scene);
-    Result<GpuGroundShadow> shadow =
-        upload_ground_shadow(ground_shadow(*scene, uploaded.bounds_world));
-    if (!shadow) return passed_on(shadow);
-    state_->scene = std::move(uploaded);
-    state_->shadow = std::move(*shadow);
+    state_->scene = upload_scene(scene);
+    state_->shadow.casters.reset();
     state_->shadow_maps.stale = true;
     return {};
 }
 
 void Renderer::assign_materials(const std::map<PartRef, int>& source_materials) {
     if (!state_->scene) return;
-    const Scene& scene = *state_->scene->scene;
     for (DrawItem& item : state_->scene->items) {
-        const MeshInstance& instance = scene.instances[static_cast<std::size_t>(item.instance)];
-        const Primitive& primitive = scene.meshes[static_cast<std::size_t>(instance.mesh)]
-                                         .primitives[static_cast<std::size_t>(item.primitive)];
+        const Primitive& primitive = primitive_of(*state_->scene, item);
         const auto assigned = source_materials.find(primitive.source);
         item.source_material =
             assigned == source_materials.end() ? primitive.source_material : assigned->second;
