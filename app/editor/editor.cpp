@@ -230,7 +230,7 @@ std::string title_of(Session& session) {
 }
 
 Result<Window> open_window(const Options& options, const Settings& settings) {
-    Window::Description description{.title = "Patina"};
+    Window::Description description{.title = "Patina", .report_errors = options.ui_map.has_value()};
     if (settings.window_width > 0) description.width = settings.window_width;
     if (settings.window_height > 0) description.height = settings.window_height;
     if (options.window_width > 0) description.width = options.window_width;

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <glm/glm.hpp>
+#include <iostream>
 #include <sstream>
 
 namespace patina::editor_tests {
@@ -189,17 +190,31 @@ double different_share(const Pixels& a, const Pixels& b, int tolerance) {
 
 Editor::Editor(const std::string& display, const fs::path& folder,
                const std::vector<std::string>& arguments)
-    : display_(display), map_file_(folder / "ui.json"), screen_file_(folder / "screen.rgb") {
+    : display_(display),
+      map_file_(folder / "ui.json"),
+      screen_file_(folder / "screen.rgb"),
+      errors_file_(folder / "errors.txt") {
     fs::remove(map_file_);
     std::vector<std::string> words = {PATINA_PROGRAM, "--ui-map", map_file_.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    child_ = start(words, {display, (folder / "settings").string()}, nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors_file_.c_str(),
+                                       O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
+    child_ = start(words, {display, (folder / "settings").string()}, &actions);
+    ::posix_spawn_file_actions_destroy(&actions);
 }
 
 Editor::~Editor() {
-    if (child_ <= 0) return;
-    ::kill(child_, SIGKILL);
-    end_status(child_);
+    if (child_ > 0) {
+        ::kill(child_, SIGKILL);
+        end_status(child_);
+    }
+    std::ifstream file(errors_file_);
+    for (std::string line; std::getline(file, line);) {
+        EXPECT_EQ(line.find("OpenGL: "), std::string::npos) << line;
+        std::cerr << line << '\n';
+    }
 }
 
 void Editor::read_map() const {
