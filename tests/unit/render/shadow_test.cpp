@@ -275,7 +275,7 @@ TEST_F(ShadowTest, FewDrawsOfACloseLampsShadowAreAsSoftAsManyAre) {
     show_sphere_over_floor();
     for (const Light& lamp : kCloseLamps) {
         view_.lights = {lamp};
-        const std::vector<Seen> truth = seen(ChannelView::DiffuseDirect, 256);
+        const std::vector<Seen> truth = seen(ChannelView::DiffuseDirect, 128);
         for (const int draws : {1, 16}) {
             const std::vector<Seen> few = seen(ChannelView::DiffuseDirect, draws);
             Softness found;
