@@ -102,11 +102,12 @@ void take_keys(Ui& ui, Workspace& workspace, const Shown& shown) {
         return;
     ViewState& view = workspace.view();
     if (const auto channel = pressed_channel()) view.view.channel = *channel;
-    if (const auto action = pressed_action(); action && applies(*action, shown))
+    if (const auto action = pressed_action(ui.focus); action && applies(*action, shown))
         workspace.perform(*action);
-    if (view.view.compare == render::CompareMode::Split && !ui.focus.arrows_taken())
+    if (view.view.compare == render::CompareMode::Split)
         view.view.divider = std::clamp(
-            view.view.divider + 0.01f * static_cast<float>(pressed_divider_step()), 0.0f, 1.0f);
+            view.view.divider + 0.01f * static_cast<float>(pressed_divider_step(ui.focus)), 0.0f,
+            1.0f);
     if (pressed_escape() && !view.layer_drag.moving && !view.drag_to_model.moving) {
         ui.focus.leave();
         view.tool = ViewportTool::Move;

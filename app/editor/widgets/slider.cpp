@@ -62,7 +62,7 @@ std::optional<double> stepped(const NumberSpec& spec, double value, const Press&
 std::optional<double> stepped_by_keys(Ui& ui, const NumberSpec& spec, double value,
                                       const Press& press) {
     if (!press.focused) return std::nullopt;
-    ui.focus.take_arrows();
+    ui.focus.take({ImGuiKey_LeftArrow, ImGuiKey_RightArrow});
     const int step = ui.focus.arrow_step();
     if (step == 0) return std::nullopt;
     const double size = ImGui::GetIO().KeyShift && !spec.whole ? 0.1 * spec.step : spec.step;
