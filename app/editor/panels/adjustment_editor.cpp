@@ -7,6 +7,7 @@
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/levels_fields.h"
 #include "editor/widgets/buttons.h"
+#include "editor/widgets/curve_field.h"
 #include "editor/widgets/form.h"
 #include "editor/widgets/ramp_field.h"
 #include "editor/widgets/slider.h"
@@ -20,6 +21,7 @@ struct Editing {
     const Material& material;
     const Layer& layer;
     const AdjustmentSettings& now;
+    ViewState& view;
     Requests requests = {};
 
     void change(const AdjustmentSettings& changed, Parameter parameter) {
@@ -49,41 +51,39 @@ void draw_levels(Editing& editing) {
     editing.change(changed, change->parameter);
 }
 
-/// One line for each point: input, output, and a button that removes it.
+/// The graph, and below it the numbers of the point that is selected in it.
 void draw_curve(Editing& editing) {
+    Ui& ui = editing.ui;
+    CurveHold& hold = editing.view.curve;
     const std::vector<CurvePoint>& curve = editing.now.curve;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        const Place place(editing.ui, "point " + std::to_string(i + 1), i);
-        Rect line_box = next_line(editing.ui, editing.rest);
-        const Rect remove = line_box.cut_right(editing.ui.px(26));
-        const auto boxes = side_by_side<2>(editing.ui, line_box);
+    const auto change = [&](std::vector<CurvePoint> points, Parameter parameter) {
         AdjustmentSettings changed = editing.now;
-        const auto x = number_field(editing.ui, boxes[0], number_spec(Parameter::CurveX),
-                                    static_cast<double>(curve[i].x));
-        const auto y = number_field(editing.ui, boxes[1], number_spec(Parameter::CurveY),
-                                    static_cast<double>(curve[i].y));
-        if (x) changed.curve[i].x = static_cast<float>(*x);
-        if (y) changed.curve[i].y = static_cast<float>(*y);
-        if (x || y) editing.change(changed, x ? Parameter::CurveX : Parameter::CurveY);
-        if (curve.size() > 2 &&
-            icon_button(editing.ui, remove, {.icon = icon::kTrash, .label = "Remove point"})) {
-            changed.curve.erase(changed.curve.begin() + static_cast<std::ptrdiff_t>(i));
-            editing.change(changed, Parameter::CurveX);
-        }
+        changed.curve = std::move(points);
+        editing.change(changed, parameter);
+    };
+    const Rect graph = editing.rest.cut_top(ui.px(168));
+    editing.rest.cut_top(ui.px(theme::kGap));
+    if (auto points = curve_field(ui, graph, "Curve", curve, hold))
+        return change(std::move(*points), Parameter::CurveY);
+    if (hold.selected >= curve.size()) return;
+    const CurvePoint& selected = curve[hold.selected];
+    Rect line_box = next_line(ui, editing.rest);
+    const Rect remove = line_box.cut_right(ui.px(26));
+    const auto boxes = side_by_side<2>(ui, line_box);
+    const auto x =
+        number_field(ui, boxes[0], number_spec(Parameter::CurveX), static_cast<double>(selected.x));
+    const auto y =
+        number_field(ui, boxes[1], number_spec(Parameter::CurveY), static_cast<double>(selected.y));
+    if (x || y)
+        change(with_point_at(curve, hold.selected,
+                             {x ? static_cast<float>(*x) : selected.x,
+                              y ? static_cast<float>(*y) : selected.y}),
+               x ? Parameter::CurveX : Parameter::CurveY);
+    if (icon_button(ui, remove,
+                    {.icon = icon::kTrash, .label = "Remove point", .enabled = curve.size() > 2})) {
+        change(without_point(curve, hold.selected), Parameter::CurveY);
+        ui.edit_ended = true;
     }
-    if (curve.size() >= std::size_t{kMaxCurvePoints}) return;
-    const TextButton add{.label = "Add point", .tooltip = "In the middle of the widest gap"};
-    Rect line_box = next_line(editing.ui, editing.rest);
-    if (!text_button(editing.ui, line_box.cut_left(text_button_width(editing.ui, add)), add))
-        return;
-    std::size_t widest = 1;
-    for (std::size_t i = 2; i < curve.size(); ++i)
-        if (curve[i].x - curve[i - 1].x > curve[widest].x - curve[widest - 1].x) widest = i;
-    AdjustmentSettings changed = editing.now;
-    const CurvePoint middle{0.5f * (curve[widest - 1].x + curve[widest].x),
-                            0.5f * (curve[widest - 1].y + curve[widest].y)};
-    changed.curve.insert(changed.curve.begin() + static_cast<std::ptrdiff_t>(widest), middle);
-    editing.change(changed, Parameter::CurveX);
 }
 
 void draw_gradient(Editing& editing) {
@@ -159,7 +159,8 @@ void draw_numbers(Editing& editing) {
 
 }  // namespace
 
-Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer) {
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer,
+                         ViewState& view) {
     const auto* content = std::get_if<AdjustmentContent>(&layer.content);
     if (content == nullptr) return {};
     const Place place(ui, "Adjustment");
@@ -167,7 +168,7 @@ Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Lay
     inner.x0 += ui.px(12);
     inner.x1 -= ui.px(12);
     const float top = inner.y0;
-    Editing editing{ui, inner, material, layer, content->adjustment};
+    Editing editing{ui, inner, material, layer, content->adjustment, view};
     const auto kind = parameter_combo(ui, next_line(ui, inner), Parameter::AdjustmentKindChoice,
                                       content->adjustment.kind);
     if (kind) {

@@ -103,7 +103,7 @@ Requests draw_layer_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState&
     {
         const Faded locked(ui, shown.layer->locked, 200);
         requests.append(draw_head(ui, rest, subject));
-        requests.append(draw_adjustment(ui, rest, subject.material, subject.layer));
+        requests.append(draw_adjustment(ui, rest, subject.material, subject.layer, view));
         requests.append(draw_channels(ui, rest, subject, view));
         requests.append(draw_mask(ui, rest, subject, view));
         requests.append(draw_uv(ui, rest, subject, view));
