@@ -74,8 +74,8 @@ constexpr std::array kParameters = {
         .tooltip = "What is above and below the image."},
     ParameterInfo{.parameter = Parameter::ImageFilter, .subject = Subject::Image, .id = "filter", .label = "Filter", .kind = ParameterKind::Choice, .choices = kFilters,
         .tooltip = "Between pixels: smooth, or the nearest pixel as it is."},
-    ParameterInfo{.parameter = Parameter::ImageMultiply, .subject = Subject::Image, .id = "multiply", .label = "Multiply", .kind = Vector, .minimum = -1000.0, .maximum = 1000.0, .standard = 1.0,
-        .tooltip = "The image's numbers are multiplied by this. -1000 to 1000."},
+    ParameterInfo{.parameter = Parameter::ImageMultiply, .subject = Subject::Image, .id = "multiply", .label = "Strength", .kind = Vector, .minimum = -1000.0, .maximum = 1000.0, .standard = 1.0, .unit = "×",
+        .tooltip = "The image's numbers are multiplied by this; of a normal map, its slopes. -1000 to 1000."},
     ParameterInfo{.parameter = Parameter::ImageAdd, .subject = Subject::Image, .id = "add", .label = "Add", .kind = Vector, .minimum = -1000.0, .maximum = 1000.0,
         .tooltip = "Added to the image's numbers after they are multiplied. -1000 to 1000."},
 

@@ -11,6 +11,8 @@
 #include "document/procedural_kinds.h"
 #include "document/references.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/image_range.h"
+#include "editor/panels/kind_menus.h"
 #include "editor/panels/surface_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -175,7 +177,7 @@ Requests draw_image(Ui& ui, Rect& rest, const EditedSource& edited, const ImageS
                                         Parameter::ImageFilter, source.filter);
     if (filter) requests.edit(set_image_filter(edited.place, *filter));
     requests.append(draw_image_switches(ui, rest, edited, source));
-    requests.append(draw_projection(ui, rest, edited.place, source.projection));
+    requests.append(draw_image_range(ui, rest, edited, source));
     return requests;
 }
 
@@ -189,21 +191,12 @@ RampSpec ramp_spec(std::optional<Channel> channel) {
 
 /// A combo of all noises and patterns under their headings.
 std::optional<ProceduralKind> procedural_combo(Ui& ui, const Rect& rect, ProceduralKind current) {
-    std::vector<ComboItem> items;
-    std::vector<ProceduralKind> kinds;
-    int chosen = -1;
-    for (const std::string_view group : kProceduralGroups)
-        for (const ProceduralKindInfo& row : kProceduralKindInfos) {
-            if (row.group != group) continue;
-            if (row.kind == current) chosen = static_cast<int>(items.size());
-            items.push_back(
-                {.label = choice(row.kind).label, .group = row.group, .tooltip = row.tooltip});
-            kinds.push_back(row.kind);
-        }
+    const auto [items, kinds] = procedural_rows();
+    const auto chosen = std::find(kinds.begin(), kinds.end(), current) - kinds.begin();
     const ParameterInfo& row = info(Parameter::ProceduralKindChoice);
     const auto picked =
         combo(ui, rect, {.label = row.label, .shown_label = row.label, .tooltip = row.tooltip},
-              items, chosen);
+              items, static_cast<int>(chosen));
     if (!picked) return std::nullopt;
     return kinds[static_cast<std::size_t>(*picked)];
 }
