@@ -2,9 +2,11 @@
 #include "document/source_edits.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "document/change.h"
 #include "document/check.h"
+#include "document/scene_edits.h"
 
 namespace patina {
 namespace {
@@ -135,6 +137,22 @@ const Source* find_source(const Material& material, const SourcePlace& place) {
     for (const MaskEntry& entry : layer->mask.entries)
         if (entry.id == std::get<MaskEntryId>(place.part)) return &entry.source;
     return nullptr;
+}
+
+Edit at_all(const std::vector<SourcePlace>& places,
+            const std::function<Edit(const SourcePlace&)>& edit) {
+    assert(!places.empty());
+    Edit first = edit(places.front());
+    if (places.size() == 1) return first;
+    Edits edits;
+    for (const SourcePlace& place : places) edits.push_back(edit(place));
+    Edit all = in_one_step(fmt::format("{} and {} more", first.label, places.size() - 1),
+                           std::move(edits));
+    // As many each time, so that a drag of all does not run on into one of fewer.
+    all.merge_key = first.merge_key;
+    if (!all.merge_key.action.empty())
+        all.merge_key.action += fmt::format("/and {} more", places.size() - 1);
+    return all;
 }
 
 Edit set_source(const SourcePlace& place, Source source) {

@@ -278,7 +278,6 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
     if (const auto v = number(first[2], Parameter::ProceduralSeed, source.seed))
         requests.edit(set_procedural_seed(place, static_cast<std::uint32_t>(*v)));
     requests.append(draw_procedural_numbers(ui, rest, place, source));
-    requests.append(draw_projection(ui, rest, place, source.projection));
     return requests;
 }
 

@@ -52,6 +52,7 @@ struct Unfolded {
     bool narrow_shelf = false;       ///< in a narrow window, where it takes much of the room
     std::optional<Channel> channel;  ///< whose source editor is open
     bool uv_scale_linked = true;     ///< both scales change together
+    bool uv_channels_linked = true;  ///< channels that lie alike are moved together
     std::optional<MaskEntryId> mask_entry;
 };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "document/history.h"
 #include "document/preset.h"
 #include "document/record.h"
 #include "unit/document/sample_document.h"
@@ -345,6 +346,34 @@ TEST(Edits, SourcesOfTheWrongKindAreRefused) {
     EXPECT_EQ(sample.refusal(set_image_invert(value, true)), "the source of Salt is not an image");
     EXPECT_EQ(sample.refusal(set_uv_rotation(value, 4.0f)),
               "the source of Salt has no UV transform");
+}
+
+TEST(Edits, SeveralSourcesAreMovedInOneStepThatADragGoesOnWith) {
+    Sample sample;
+    const auto places = [&] {
+        std::vector<SourcePlace> result;
+        for (const Channel channel : {Channel::BaseColor, Channel::Roughness})
+            result.push_back(source_place(sample.material(), sample.layer("Salt"), channel));
+        return result;
+    };
+    for (const SourcePlace& place : places()) sample.apply(set_source(place, ProceduralSource{}));
+    History history(std::make_shared<const Document>(sample.document));
+    const auto turn = [&](float degrees) {
+        return at_all(places(),
+                      [&](const SourcePlace& place) { return set_uv_rotation(place, degrees); });
+    };
+    const auto turned = [&](std::size_t which) {
+        const Material& material = *history.document()->materials.front();
+        return std::get<ProceduralSource>(*find_source(material, places()[which]))
+            .transform.rotation_degrees;
+    };
+    for (const float degrees : {10.0f, 20.0f, 30.0f}) ASSERT_TRUE(history.apply(turn(degrees)));
+    EXPECT_EQ(turned(0), 30.0f);
+    EXPECT_EQ(turned(1), 30.0f);
+    history.undo();
+    EXPECT_EQ(turned(0), 0.0f);
+    EXPECT_EQ(turned(1), 0.0f);
+    EXPECT_FALSE(history.can_undo());
 }
 
 TEST(Edits, MaskEntriesAreAddedMovedAndRemoved) {

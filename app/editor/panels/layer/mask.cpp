@@ -8,6 +8,7 @@
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/layer/parts.h"
 #include "editor/panels/levels_fields.h"
+#include "editor/panels/placement_fields.h"
 #include "editor/panels/source_editor.h"
 #include "editor/panels/surface_fields.h"
 #include "editor/widgets/buttons.h"
@@ -33,7 +34,17 @@ Requests draw_levels(Ui& ui, Rect& rest, const LayerSubject& subject, const Mask
     return requests;
 }
 
-Requests draw_entry_menu(Ui& ui, const LayerSubject& subject, const MaskEntry& entry, int index) {
+/// Where an image or a procedural of the mask lies on the model.
+Requests draw_placement(Ui& ui, Rect& rest, const PlacedSource& source, ViewState& view) {
+    Requests requests;
+    const Place place(ui, "UV transform");
+    requests.append(draw_projection(ui, rest, {source}));
+    requests.append(draw_transform(ui, rest, {source}, view.unfolded.uv_scale_linked));
+    return requests;
+}
+
+Requests draw_entry_menu(Ui& ui, const LayerSubject& subject, const MaskEntry& entry, int index,
+                         ViewState& view) {
     Requests requests;
     PopupMenu menu(ui, "entry menu", 170);
     if (!menu.open()) return requests;
@@ -44,6 +55,8 @@ Requests draw_entry_menu(Ui& ui, const LayerSubject& subject, const MaskEntry& e
         requests.edit(set_mask_entry_visible(material, layer, entry, !entry.visible));
     if (menu.item({.icon = icon::kInvert, .label = "Invert", .ticked = entry.invert}))
         requests.edit(set_mask_entry_invert(material, layer, entry, !entry.invert));
+    if (menu.item({.icon = icon::kPencil, .label = "Rename entry", .key = "F2"}))
+        view.renaming_mask_entry = entry.id;
     if (menu.item({.icon = icon::kClone, .label = "Duplicate entry"}))
         requests.edit(duplicate_mask_entry(material, layer, entry));
     if (menu.item({.label = "Move up", .enabled = index > 0}))
@@ -103,7 +116,7 @@ Requests draw_entry(Ui& ui, Rect& rest, const LayerSubject& subject, const MaskE
     list.ChannelsSetCurrent(1);
     const Rect row = rest.cut_top(ui.px(theme::kMaskRow));
     Requests requests = draw_entry_row(ui, row, subject, entry, view);
-    requests.append(draw_entry_menu(ui, subject, entry, index));
+    requests.append(draw_entry_menu(ui, subject, entry, index, view));
     const bool open = view.unfolded.mask_entry == entry.id;
     if (open) {
         Rect editor = rest;
@@ -114,6 +127,8 @@ Requests draw_entry(Ui& ui, Rect& rest, const LayerSubject& subject, const MaskE
         requests.append(draw_source_editor(
             ui, editor, {source, entry.source, std::nullopt, subject.layer.id, entry.id},
             subject.shown));
+        if (transform_of(entry.source) != nullptr)
+            requests.append(draw_placement(ui, editor, {source, &entry.source}, view));
         requests.append(draw_levels(ui, editor, subject, entry));
         rest.cut_top(editor.y0 - top + ui.px(4));
     }
