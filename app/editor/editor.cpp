@@ -74,6 +74,7 @@ class RootWindow {
 };
 
 Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState& view) {
+    view.mask_entry_at_hand = {};
     Requests requests = draw_top_bar(ui, layout.top_bar, shown, view);
     draw_splitters(ui, layout, view.splitters);
     if (!layout.right.empty())

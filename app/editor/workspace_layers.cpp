@@ -174,7 +174,10 @@ void Workspace::perform_layer(Action action) {
             if (layer->is_group()) edit(ungroup_layer(*material, *layer));
             return;
         case Action::RenameLayer:
-            view_.renaming_layer = layer->id;
+            if (view_.mask_entry_at_hand != MaskEntryId{})
+                view_.renaming_mask_entry = view_.mask_entry_at_hand;
+            else
+                view_.renaming_layer = layer->id;
             return;
         case Action::HideLayer:
             return edit(set_layer_visible(*material, *layer, !layer->visible));

@@ -138,13 +138,11 @@ Requests draw_name(Ui& ui, Rect rect, const Material& material, const Row& row, 
     Requests requests;
     const Layer& layer = *row.layer;
     if (view.renaming_layer == layer.id) {
-        const ImGuiID id = ImGui::GetID("rename");
-        if (ui.typing.id != id) start_typing(ui, id, layer.name);
+        bool renaming = true;
         const Rect field = rect.inset(-ui.px(6), -ui.px(1));
-        fill(ui, field, theme::kFieldHover, 4);
-        const auto words = typed(ui, id, field, ui.fonts.body13);
-        if (words && !words->empty()) requests.edit(rename_layer(material, layer, *words));
-        if (ui.typing.id == 0) view.renaming_layer = {};
+        if (const auto name = rename_field(ui, field, layer.name, renaming))
+            requests.edit(rename_layer(material, layer, *name));
+        if (!renaming) view.renaming_layer = {};
         return requests;
     }
     if (layer.locked) icon_glyph(ui, rect.cut_right(ui.px(16)), icon::kLock, theme::kText3, 12);

@@ -14,6 +14,7 @@
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/popup_menu.h"
 #include "editor/widgets/slider.h"
+#include "editor/widgets/text_field.h"
 
 namespace patina::editor {
 namespace {
@@ -68,6 +69,24 @@ Requests draw_entry_menu(Ui& ui, const LayerSubject& subject, const MaskEntry& e
     return requests;
 }
 
+/// The row itself, beside its fields: a click unfolds it, a double click renames it.
+void press_entry(Ui& ui, const Rect& row, const MaskEntry& entry, ViewState& view) {
+    const bool open = view.unfolded.mask_entry == entry.id;
+    const Tip tip{entry.name, "Click to edit it, double-click to rename, right click for more"};
+    const Press pressed = press(ui, row,
+                                {.label = entry.name,
+                                 .kind = "mask entry",
+                                 .value = open ? "open" : "folded",
+                                 .tip = &tip});
+    if (pressed.hovered && !open) fill(ui, row.inset(ui.px(4), 0), theme::kOpenRow, 4);
+    if (pressed.hovered || pressed.focused) view.mask_entry_at_hand = entry.id;
+    if (pressed.double_clicked) view.renaming_mask_entry = entry.id;
+    // The first of two clicks has unfolded or folded it: the second takes that back.
+    if (pressed.clicked || pressed.double_clicked)
+        view.unfolded.mask_entry = open ? std::nullopt : std::optional(entry.id);
+    if (pressed.right_clicked) ImGui::OpenPopup("entry menu");
+}
+
 Requests draw_entry_row(Ui& ui, const Rect& row, const LayerSubject& subject,
                         const MaskEntry& entry, ViewState& view) {
     Requests requests;
@@ -88,22 +107,22 @@ Requests draw_entry_row(Ui& ui, const Rect& row, const LayerSubject& subject,
     if (opacity)
         requests.edit(set_mask_entry_opacity(subject.material, subject.layer, entry,
                                              static_cast<float>(*opacity)));
-    const bool open = view.unfolded.mask_entry == entry.id;
-    const Tip tip{entry.name, "Click to edit it, right click for more"};
-    const Press pressed = press(ui, row,
-                                {.label = entry.name,
-                                 .kind = "mask entry",
-                                 .value = open ? "open" : "folded",
-                                 .tip = &tip});
-    if (pressed.hovered && !open) fill(ui, row.inset(ui.px(4), 0), theme::kOpenRow, 4);
-    if (pressed.clicked) view.unfolded.mask_entry = open ? std::nullopt : std::optional(entry.id);
-    if (pressed.right_clicked) ImGui::OpenPopup("entry menu");
+    bool renaming = view.renaming_mask_entry == entry.id;
+    if (!renaming) press_entry(ui, row, entry, view);
     const Faded hidden(ui, !entry.visible);
     fill(ui, thumb, rgb(0x0D0D0D), 3);
     picture(ui, thumb, subject.shown.thumbnails->mask_entry(subject.material, subject.layer, entry),
             3);
     Rect words = inner.centered(inner.width(), ui.px(32));
-    text(ui, words.cut_top(ui.px(17)), ui.fonts.body13, theme::kText, entry.name);
+    const Rect name_box = words.cut_top(ui.px(17));
+    if (!renaming) {
+        text(ui, name_box, ui.fonts.body13, theme::kText, entry.name);
+    } else {
+        const Rect field = name_box.inset(-ui.px(4), -ui.px(1));
+        if (const auto name = rename_field(ui, field, entry.name, renaming))
+            requests.edit(rename_mask_entry(subject.material, subject.layer, entry, *name));
+        if (!renaming) view.renaming_mask_entry = {};
+    }
     text(ui, words, ui.fonts.caption11, theme::kText3, kind_of(entry.source));
     return requests;
 }
