@@ -8,6 +8,7 @@
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/light_fields.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/placement_fields.h"
 #include "editor/panels/shading_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -73,8 +74,13 @@ Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& v
     if (const auto v =
             number(padded_line(ui, rest), Parameter::MaterialHeightScale, material.height_scale))
         requests.edit(set_material_height_scale(material, static_cast<float>(*v)));
-    if (const auto padding = parameter_combo(ui, padded_line(ui, rest), Parameter::MaterialPadding,
-                                             material.padding))
+    Rect baking = padded_line(ui, rest);
+    if (const auto set = uv_set_combo(ui, baking.cut_right(ui.px(72)), Parameter::MaterialUvSet,
+                                      material.uv_set))
+        requests.edit(set_material_uv_set(material, *set));
+    baking.cut_right(ui.px(theme::kGap));
+    if (const auto padding =
+            parameter_combo(ui, baking, Parameter::MaterialPadding, material.padding))
         requests.edit(set_material_padding(material, *padding));
     const auto flags = side_by_side<2>(ui, padded_line(ui, rest));
     const auto toggle = [&](const Rect& rect, Parameter parameter, bool on) {
