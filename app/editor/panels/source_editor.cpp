@@ -33,10 +33,14 @@ std::vector<LayerPtr> readable_layers(const EditedSource& edited, const Shown& s
     return referable_layers(shown.material->stack, edited.layer);
 }
 
-/// Relief and parts are one number: of masks and scalars. Parts are offered to masks. Another layer
-/// is offered where there is one.
+/// A procedural is one number too, whose ramp makes colours of it but no directions: bumps are a
+/// procedural of the height. Relief and parts are one number: of masks and scalars. Parts are
+/// offered to masks. Another layer is offered where there is one.
 std::vector<Kind> kinds_for(const EditedSource& edited, const Shown& shown) {
-    std::vector<Kind> kinds = {Kind::Value, Kind::Image, Kind::Procedural};
+    const bool normal = edited.channel && info(*edited.channel).kind == ChannelKind::Normal;
+    std::vector<Kind> kinds = {Kind::Value, Kind::Image};
+    if (!normal || std::holds_alternative<ProceduralSource>(edited.source))
+        kinds.push_back(Kind::Procedural);
     if (!edited.channel || info(*edited.channel).kind == ChannelKind::Scalar)
         kinds.push_back(Kind::Relief);
     if (std::holds_alternative<ReferenceSource>(edited.source) ||
@@ -53,14 +57,6 @@ glm::vec3 neutral_value(std::optional<Channel> channel) {
 
 bool is_color(std::optional<Channel> channel) {
     return channel && info(*channel).kind == ChannelKind::Color;
-}
-
-/// A noise for the channel: from black to white, a flat normal kept.
-ProceduralSource new_procedural(std::optional<Channel> channel) {
-    ProceduralSource source;
-    if (channel && info(*channel).kind == ChannelKind::Normal)
-        source.ramp = {{0.0f, neutral_value(channel)}};
-    return source;
 }
 
 ImageSource new_image(const ImageAsset& image, std::optional<Channel> channel) {
@@ -91,7 +87,7 @@ Requests change_kind(const EditedSource& edited, Kind kind, const Shown& shown) 
                 requests.ask(ChooseImageFor{edited.layer, edited.entry});
             break;
         case Kind::Procedural:
-            requests.edit(set_source(edited.place, new_procedural(edited.channel)));
+            requests.edit(set_source(edited.place, ProceduralSource{}));
             break;
         case Kind::Relief:
             requests.edit(set_source(edited.place, ReliefSource{}));
@@ -189,6 +185,15 @@ RampSpec ramp_spec(std::optional<Channel> channel) {
             .maximum = static_cast<float>(row.maximum)};
 }
 
+/// A stop that is dragged or recoloured is one step; one that is added or removed too.
+Edit ramp_edit(const SourcePlace& place, const std::vector<RampStop>& before,
+               std::vector<RampStop> after) {
+    if (before.size() == after.size())
+        for (std::size_t i = 0; i < after.size(); ++i)
+            if (after[i] != before[i]) return set_ramp_stop(place, static_cast<int>(i), after[i]);
+    return set_ramp(place, std::move(after));
+}
+
 /// A combo of all noises and patterns under their headings.
 std::optional<ProceduralKind> procedural_combo(Ui& ui, const Rect& rect, ProceduralKind current) {
     const auto [items, kinds] = procedural_rows();
@@ -260,7 +265,7 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
         const Rect bar = rest.cut_top(ui.px(34));
         rest.cut_top(ui.px(6));
         if (auto stops = ramp_field(ui, bar, ramp_spec(edited.channel), source.ramp))
-            requests.edit(set_ramp(place, std::move(*stops)));
+            requests.edit(ramp_edit(place, source.ramp, std::move(*stops)));
     }
     const auto number = [&](const Rect& rect, Parameter parameter, double value) {
         NumberSpec spec = number_spec(parameter);
