@@ -170,7 +170,7 @@ Requests draw_details(Ui& ui, Rect rect, const Material& material, const Row& ro
     }
     if (view.layer == layer.id && !layer.locked) {
         const auto mode = blend_combo(ui, rect, {.label = "Blend mode", .flat = true},
-                                      ChannelKind::Color, layer.mode);
+                                      ChannelKind::Color, layer.mode, blend_of(layer));
         if (mode) requests.edit(set_layer_mode(material, layer, *mode));
     } else {
         text(ui, rect, ui.fonts.caption11, color, info(layer.mode).label);

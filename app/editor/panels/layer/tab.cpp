@@ -57,7 +57,7 @@ Requests draw_head(Ui& ui, Rect& rest, const LayerSubject& subject) {
     line_box.cut_left(ui.px(4));
     const auto mode = blend_combo(
         ui, mode_box, {.label = "Blend mode", .tooltip = info(Parameter::LayerMode).tooltip},
-        ChannelKind::Color, layer.mode, layer.is_group() ? BlendOf::Group : BlendOf::Channel);
+        ChannelKind::Color, layer.mode, blend_of(layer));
     if (mode) requests.edit(set_layer_mode(subject.material, layer, *mode));
     const auto opacity = number_field(ui, line_box, number_spec(Parameter::LayerOpacity),
                                       static_cast<double>(layer.opacity));
