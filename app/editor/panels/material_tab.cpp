@@ -94,6 +94,24 @@ Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& v
     return requests;
 }
 
+/// How much of the texture the parts use, and a warning where several share a texel: what is laid
+/// there is seen on all of them.
+void draw_uv_layout(Ui& ui, Rect& rest, const UvLayout& layout) {
+    const bool overlaps = layout.overlapped > 0.0;
+    std::string words = "UVs: " + uv_layout_words(layout);
+    if (overlaps) words += ". What is laid there is seen on all of them";
+    Rect box = rest.inset(ui.px(12), 0);
+    const Rect mark = box.cut_left(ui.px(16));
+    box.cut_left(ui.px(6));
+    const float height = paragraph(ui, box, ui.fonts.value12, theme::kText2, words);
+    const Rect first_line{mark.x0, mark.y0, mark.x1, mark.y0 + ui.px(16)};
+    icon_glyph(ui, first_line, overlaps ? icon::kWarning : icon::kInfo,
+               overlaps ? theme::kWarning : theme::kText3, 12);
+    note(ui, {mark.x0, mark.y0, box.x1, mark.y0 + height},
+         {.label = "UV layout", .kind = overlaps ? "warning" : "note", .value = words});
+    rest.cut_top(height + ui.px(10));
+}
+
 Requests draw_environment(Ui& ui, Rect& rest, const Document& document, ViewState& view) {
     Requests requests;
     const Place place(ui, "Environment");
@@ -205,6 +223,7 @@ Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     const float top = rest.y0;
     draw_head(ui, rest, *shown.material, shown);
     requests.append(draw_surface(ui, rest, *shown.material, view));
+    if (shown.uv_layout) draw_uv_layout(ui, rest, *shown.uv_layout);
     requests.append(draw_material_parts(ui, rest, shown, view));
     requests.append(draw_environment(ui, rest, *shown.document, view));
     requests.append(draw_lights(ui, rest, *shown.document, view));

@@ -291,6 +291,26 @@ void Session::follow_comparison(ViewState& view, bool moving) {
     wants_frame_ = true;
 }
 
+/// Measures on a worker, where the Material tab tells of it.
+void Session::follow_uv_layout(const ViewState& view) {
+    const DocumentPtr document = history_->document();
+    const MaterialPtr material = selected_material(view);
+    if (view.right_tab != RightTab::Material || !material) return;
+    if (uvs_.document == document && uvs_.material == material) return;
+    const UvSurfacePtr surface = worn_surface(*document, *material, uvs_.surface);
+    const bool same = surface == uvs_.surface;
+    uvs_.document = document;
+    uvs_.material = material;
+    if (same) return;
+    uvs_.surface = surface;
+    uvs_.layout.reset();
+    jobs_.start("Measuring UVs", [this, surface](const Progress&) {
+        return [this, surface, layout = uv_layout(*surface)] {
+            if (uvs_.surface == surface) uvs_.layout = layout;
+        };
+    });
+}
+
 void Session::update(ViewState& view, const FrameInput& input) {
     wants_frame_ = false;
     jobs_.deliver();
@@ -306,6 +326,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         select_something(view);
         follow_environment();
         follow_texel(view);
+        follow_uv_layout(view);
         show_materials(view);
         const std::vector<LiveMaterials::Changed> changed = live_.take();
         for (const LiveMaterials::Changed& each : changed)
@@ -382,6 +403,7 @@ Shown Session::shown(const ViewState& view) {
                       ImVec2(1, 0)};
     shown.strip = {reinterpret_cast<ImTextureID>(picture_.strip_texture())};
     shown.texel = texel_;
+    if (uvs_.material == shown.material) shown.uv_layout = uvs_.layout;
     shown.comparison = comparison_;
     shown.hovered = hovered_;
     return shown;

@@ -146,6 +146,7 @@ class Session {
     Jobs::Delivery light_delivery(render::FilteredEnvironment light, int generation);
     Jobs::Delivery light_failure(const Error& error, int generation);
     void follow_texel(const ViewState& view);
+    void follow_uv_layout(const ViewState& view);
     void follow_crosshair(ViewState& view) const;
     void draw_still();
     void follow_comparison(ViewState& view, bool moving);
@@ -189,6 +190,14 @@ class Session {
     };
     Explained explained_;
     std::optional<render::Probe> hovered_;
+    /// How the parts of a material lie in its UVs; without a layout while that is measured.
+    struct MeasuredUvs {
+        DocumentPtr document;
+        MaterialPtr material;
+        UvSurfacePtr surface;
+        std::optional<UvLayout> layout;
+    };
+    MeasuredUvs uvs_;
     std::vector<JobShown> jobs_shown_;
     std::vector<Toast> toasts_;
     std::vector<ToastShown> toasts_shown_;
