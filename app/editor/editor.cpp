@@ -127,6 +127,12 @@ void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
         requests.ask(*preset);
         workspace.carry_out(std::move(requests));
     }
+    if (const auto preset = workspace.save_preset_dialog().draw(ui, shown)) {
+        Requests requests;
+        requests.ask(*preset);
+        workspace.carry_out(std::move(requests));
+    }
+    workspace.export_dialog().draw(ui);
     workspace.question().draw(ui);
     workspace.keys().draw(ui);
     workspace.log().draw(ui, shown.log);

@@ -41,13 +41,14 @@ std::vector<std::string> environment_with(const Surroundings& around) {
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view variable(*entry);
         if (!variable.starts_with("DISPLAY=") && !variable.starts_with("XDG_CONFIG_HOME=") &&
-            !variable.starts_with("XDG_CACHE_HOME="))
+            !variable.starts_with("XDG_CACHE_HOME=") && !variable.starts_with("XDG_DATA_HOME="))
             result.emplace_back(variable);
     }
     if (!around.display.empty()) result.push_back("DISPLAY=" + around.display);
     if (!around.settings_folder.empty()) {
         result.push_back("XDG_CONFIG_HOME=" + around.settings_folder);
         result.push_back("XDG_CACHE_HOME=" + around.settings_folder);
+        result.push_back("XDG_DATA_HOME=" + around.settings_folder);
     }
     return result;
 }

@@ -86,11 +86,11 @@ Session::Session(std::function<void()> wake, ViewportPicture picture)
         const std::lock_guard lock(*mutex);
         inbox->push_back({level != LogLevel::Info, std::string(line)});
     });
-    if (Result<std::vector<io::PresetFile>> presets = io::shipped_presets())
+    if (Result<std::vector<io::PresetFile>> presets = io::all_presets())
         presets_ = std::move(*presets);
     else
         log_warning("{}", presets.error().message);
-    for (const io::PresetFile& file : presets_) preset_list_.push_back(&file.preset);
+    list_presets();
     thumbnails_.set_presets(&presets_);
     thumbnails_.set_environments(
         [this](const std::string& name) { return environments_.find(name); });
@@ -110,6 +110,24 @@ MaterialPtr Session::selected_material(const ViewState& view) const {
 LayerPtr Session::selected_layer(const ViewState& view) const {
     const MaterialPtr material = selected_material(view);
     return material ? find_layer(*material, view.layer) : nullptr;
+}
+
+/// What the shelf shows points into the presets.
+void Session::list_presets() {
+    preset_list_.clear();
+    for (const io::PresetFile& file : presets_) preset_list_.push_back(&file.preset);
+}
+
+/// In its place by the id, instead of one that has that.
+void Session::take_preset(io::PresetFile file) {
+    const auto at = std::lower_bound(
+        presets_.begin(), presets_.end(), file.preset.id,
+        [](const io::PresetFile& each, const std::string& id) { return each.preset.id < id; });
+    if (at != presets_.end() && at->preset.id == file.preset.id)
+        *at = std::move(file);
+    else
+        presets_.insert(at, std::move(file));
+    list_presets();
 }
 
 const io::PresetFile* Session::preset(const std::string& id) const {

@@ -24,6 +24,7 @@
 #include "editor/state/view_state.h"
 #include "io/image_store.h"
 #include "io/load.h"
+#include "io/map_export.h"
 #include "io/preset_library.h"
 #include "io/texture_folder.h"
 #include "scene/shapes.h"
@@ -46,10 +47,13 @@ class Session {
     /// Whether the first save of a file in this session leaves the version before as name~.
     void set_keep_previous(bool keep) { keep_previous_ = keep; }
     bool keeps_previous() const { return keep_previous_; }
-    void export_maps(const std::filesystem::path& folder);
+    void export_maps(const std::filesystem::path& folder, const io::MapExportOptions& options);
     /// The copy of the model that export_maps writes beside the maps.
     std::filesystem::path export_target(const std::filesystem::path& folder) const;
     void save_view(const std::filesystem::path& path, const ViewState& view);
+    /// Writes a preset of layers of the document into the user's own folder and puts it into the
+    /// shelf. Its id is made of its name; one of the user's with that id is replaced.
+    void save_preset(Preset preset);
     /// Reads an image on a worker and gives it to `use` as edits to make.
     void with_image(const std::filesystem::path& path,
                     std::function<void(const ImageAssetPtr&)> use);
@@ -74,7 +78,7 @@ class Session {
     const std::filesystem::path& path() const { return path_; }
     /// Without its folder; what a shape that was made here would be saved as.
     std::filesystem::path file_name() const;
-    /// The shipped preset of that id, for as long as the session lives; null where there is none.
+    /// The preset of that id, until one is saved; null where there is none.
     const io::PresetFile* preset(const std::string& id) const;
     const Bounds& bounds() const { return picture_.bounds(); }
     /// Of the parts that are drawn with the selected material; of the whole model where none is.
@@ -152,6 +156,8 @@ class Session {
     void follow_comparison(ViewState& view, bool moving);
     void expire_toasts();
     void report_job_failure(const Error& error);
+    void list_presets();
+    void take_preset(io::PresetFile file);
     /// Gives to `use` what a worker has read into the images of the document, if that is open
     /// still.
     template <typename Value>
