@@ -103,7 +103,7 @@ TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
         return names;
     };
     ASSERT_TRUE(editor.wait_for("the explanation", [&] { return steps().size() == 1; }));
-    ASSERT_TRUE(add_layer(editor, "Add noise layer"));
+    ASSERT_TRUE(add_layer(editor, "Add procedural layer\u2026", "Perlin noise"));
     ASSERT_TRUE(editor.wait_for("the new layer in it", [&] { return steps().size() == 2; }));
     editor.key("ctrl+z");
     ASSERT_TRUE(editor.wait_for("the old explanation", [&] { return steps().size() == 1; }));

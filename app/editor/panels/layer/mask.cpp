@@ -6,6 +6,7 @@
 #include "document/edits.h"
 #include "document/references.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/kind_menus.h"
 #include "editor/panels/layer/parts.h"
 #include "editor/panels/levels_fields.h"
 #include "editor/panels/placement_fields.h"
@@ -157,13 +158,16 @@ Requests draw_entry(Ui& ui, Rect& rest, const LayerSubject& subject, const MaskE
     return requests;
 }
 
-/// What masks begin with most; any other kind can then be chosen in the entry.
+/// What masks begin with most; a second menu has all of them.
 constexpr std::array kUsualMasks = {ProceduralKind::ValueNoise,  ProceduralKind::PerlinNoise,
                                     ProceduralKind::WorleyNoise, ProceduralKind::Grunge,
                                     ProceduralKind::Cracks,      ProceduralKind::Scratches,
                                     ProceduralKind::Spots,       ProceduralKind::Bricks};
 
-Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
+constexpr const char* kAllProcedurals = "add procedural mask";
+
+/// @param all  set when all procedurals are asked for
+Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject, bool& all) {
     Requests requests;
     PopupMenu menu(ui, "add mask", 170);
     if (!menu.open()) return requests;
@@ -171,6 +175,7 @@ Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
         if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
             requests.edit(
                 add_mask_entry(subject.material, subject.layer, procedural_mask_entry(kind)));
+    all = menu.item({.icon = icon::kNoise, .label = "All procedurals\u2026"});
     for (const ReliefKind kind : {ReliefKind::Cavity, ReliefKind::Edge})
         if (menu.item({.icon = icon::kNoise, .label = choice(kind).label}))
             requests.edit(add_mask_entry(subject.material, subject.layer, relief_mask_entry(kind)));
@@ -201,7 +206,13 @@ Requests draw_mask_head(Ui& ui, Rect& rest, const LayerSubject& subject, ViewSta
     if (icon_button(ui, plus, {.icon = icon::kPlus, .label = "Add mask entry"}))
         ImGui::OpenPopup("add mask");
     place_popup(plus, 0);
-    requests.append(draw_add_entry_menu(ui, subject));
+    bool all = false;
+    requests.append(draw_add_entry_menu(ui, subject, all));
+    if (all) ImGui::OpenPopup(kAllProcedurals);
+    place_popup(plus, 0);
+    if (const auto kind = procedural_menu(ui, kAllProcedurals))
+        requests.edit(
+            add_mask_entry(subject.material, subject.layer, procedural_mask_entry(*kind)));
     if (!mask.entries.empty()) {
         if (icon_button(ui, head.cut_right(ui.px(26)),
                         {.icon = icon::kInvert,
