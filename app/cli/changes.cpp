@@ -101,7 +101,8 @@ void add_change_options(CLI::App& app, Changes& changes) {
     add_preset_options(app, changes.presets);
     add_lay_option(app, "--textures", changes.textures, path_request, "DIR[@MATERIAL]",
                    "A folder of textures as a layer; what each is for is guessed from its name\n"
-                   "(_albedo, _rough, _metal, _orm, _nrm, _nor_dx, _ao, _disp ...) and printed");
+                   "(_albedo, _rough, _metal, _orm, _nrm, _nor_dx, _ao, _disp ...) and printed;\n"
+                   "DIR/NAME is the material of that name in a folder of several");
     add_lay_option(app, "--layer", changes.layers, layer_request, "JSON[@MATERIAL]",
                    "Layers as presets have them: a file, or the JSON itself");
     app.add_option_function<std::vector<std::string>>(

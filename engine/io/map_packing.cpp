@@ -46,7 +46,8 @@ constexpr std::array kUnreal = {
     color_with_opacity("BaseColor"),
     packed("OcclusionRoughnessMetallic", of(Channel::Occlusion), of(Channel::Roughness),
            of(Channel::Metalness)),
-    packed("Normal", of(Channel::Normal, 0), inverted(Channel::Normal, 1), of(Channel::Normal, 2)),
+    packed("NormalDX", of(Channel::Normal, 0), inverted(Channel::Normal, 1),
+           of(Channel::Normal, 2)),
     rgb("Emissive", Channel::Emissive),
 };
 constexpr std::array kUnity = {

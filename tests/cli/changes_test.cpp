@@ -82,3 +82,25 @@ TEST_F(Changes, AFolderOfTexturesBecomesALayerAndEachGuessIsPrinted) {
 
 }  // namespace
 }  // namespace patina::cli_tests
+TEST_F(Changes, TexturesOfTwoMaterialsAreRefusedInOneLineThatListsThem) {
+    ASSERT_TRUE(succeeded(patina({"bake", sample(), "--preset", "rusted-iron", "--size", "16",
+                                  "--maps", at("both"), "--packing", "separate", "--quiet"})));
+    const Outcome outcome =
+        patina({"bake", sample(), "--textures", at("both") + "@Stand", "-o", at("b.glb")});
+    EXPECT_TRUE(failed_with_one_line(outcome));
+    EXPECT_THAT(outcome.errors, HasSubstr("ball, stand"));
+    const Outcome one =
+        patina({"bake", sample(), "--textures", at("both/ball") + "@Stand", "-o", at("b.glb")});
+    EXPECT_EQ(one.status, 0) << one.errors;
+}
+
+TEST_F(Changes, OpacityThatTheAlphaModeHidesIsAWarning) {
+    const std::string clear = R"({"name": "Clear", "channels": {"opacity": {"source": 0.5}}})";
+    const Outcome outcome =
+        patina({"bake", sample(), "--layer", clear + "@Ball", "-o", at("a.glb")});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.errors, HasSubstr("alpha-mode"));
+    ASSERT_TRUE(succeeded(patina({"bake", sample(), "--layer", clear + "@Ball", "--set",
+                                  "Ball/alpha-mode=blend", "-o", at("b.glb")})));
+}
+

@@ -16,7 +16,7 @@ TEST_F(Export, WritesEachMapAndSaysWhich) {
     const Outcome outcome =
         patina({"export", at("in.glb"), "--packing", "unreal", "-o", at("maps")});
     ASSERT_TRUE(succeeded(outcome));
-    for (const char* map : {"BaseColor", "OcclusionRoughnessMetallic", "Normal"}) {
+    for (const char* map : {"BaseColor", "OcclusionRoughnessMetallic", "NormalDX"}) {
         const std::string file = at(std::string("maps/Ball_") + map + ".png");
         EXPECT_TRUE(std::filesystem::exists(file)) << file;
         EXPECT_THAT(outcome.out, HasSubstr(file));
