@@ -12,7 +12,7 @@
 #include "cli/progress_bar.h"
 #include "cli/uv_report.h"
 #include "core/log.h"
-#include "document/worn_surface.h"
+#include "document/material_warnings.h"
 #include "io/save.h"
 
 namespace patina::cli {
@@ -83,7 +83,7 @@ Result<io::SaveReport> save(const BakeOptions& options, const Document& document
     if (options.output.empty()) {
         io::SaveReport nothing;
         for (const MaterialPtr& material : document.materials)
-            for (std::string& line : warnings_of_surface(document, *material))
+            for (std::string& line : warnings_of(document, *material))
                 nothing.warnings.push_back(std::move(line));
         return nothing;
     }

@@ -210,10 +210,14 @@ void Workspace::lay_textures(const fs::path& folder) {
         edits.push_back(
             add_layer(*material, textures.layer, selected ? above(selected->id) : top_of_stack()));
         edit_and_select_new(in_one_step("Add textures " + textures.layer.name, std::move(edits)));
-        session_->toast(ToastKind::Done,
-                        fmt::format("{} of {} as a layer", counted(textures.images.size(), "map"),
-                                    textures.layer.name),
-                        "Show log", Action::ShowLog);
+        const bool hidden = at(textures.layer.channels, Channel::Opacity).enabled &&
+                            material->alpha_mode == AlphaMode::Opaque;
+        session_->toast(
+            hidden ? ToastKind::Note : ToastKind::Done,
+            fmt::format("{} of {} as a layer{}", counted(textures.images.size(), "map"),
+                        textures.layer.name,
+                        hidden ? "; set Alpha to Mask or Blend to see its opacity" : ""),
+            "Show log", Action::ShowLog);
     });
 }
 

@@ -9,7 +9,7 @@
 #include "composite/composite.h"
 #include "composite/dilate.h"
 #include "composite/operations.h"
-#include "document/worn_surface.h"
+#include "document/material_warnings.h"
 #include "io/material_json.h"
 #include "io/record_json.h"
 #include "io/safe_name.h"
@@ -95,7 +95,7 @@ class MaterialWriter {
     }
 
     void note_what_is_missing() {
-        for (std::string& line : warnings_of_surface(save_.document, now_, program_.data().surface))
+        for (std::string& line : warnings_of(save_.document, now_, program_.data().surface))
             save_.warnings.push_back(std::move(line));
     }
 
