@@ -27,9 +27,10 @@ void add_map_options(CLI::App& app, io::MapExportOptions& options) {
 }
 
 void add_map_size_option(CLI::App& app, std::optional<int>& size) {
-    app.add_option("--size", size, "Side of the baked maps; as each material says if unset")
-        ->check(CLI::IsMember({256, 512, 1024, 2048, 4096, 8192}))
-        ->type_name("256|512|1024|2048|4096|8192");
+    app.add_option("--size", size,
+                   "Side of the baked maps, 1 to 16384; as each material says if unset")
+        ->check(CLI::Range(1, 16384))
+        ->type_name("N");
 }
 
 }  // namespace patina::cli
