@@ -89,6 +89,7 @@ Result<io::SaveReport> save(const BakeOptions& options, const Document& document
     }
     io::SaveOptions save = options.save;
     save.keep_maps = !options.maps_folder.empty();
+    save.png_level = options.maps.png_level;
     return io::save_document(document, images, options.output, save, progress);
 }
 
@@ -103,6 +104,8 @@ Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
         if (reported)
             report.uvs.emplace_back(material->name, uv_layout_of(*loaded->document, *material));
     if (options.maps_folder.empty()) return report;
+    for (std::string& line : io::warnings_of(options.maps))
+        report.saved.warnings.push_back(std::move(line));
     io::MapExportOptions maps = options.maps;
     maps.size = options.save.size;
     maps.baked = &report.saved.maps;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/map_packing.h"
 
+#include <algorithm>
+
 namespace patina::io {
 namespace {
 
@@ -85,6 +87,11 @@ constexpr std::array kPackings = {
 
 bool PackedMap::is_color() const {
     return values[0].channel == Channel::BaseColor || values[0].channel == Channel::Emissive;
+}
+
+bool PackedMap::has_normals() const {
+    return std::any_of(values.begin(), values.end(),
+                       [](const PackedValue& value) { return value.channel == Channel::Normal; });
 }
 
 std::span<const MapPacking> map_packings() {

@@ -174,7 +174,7 @@ class MaterialWriter {
         }
         auto maps =
             bake_and_encode(program_, islands_, save_.pixels, save_.size.value_or(now_.resolution),
-                            {wanted.begin(), wanted.end()}, save_.progress);
+                            {wanted.begin(), wanted.end()}, save_.png, save_.progress);
         if (!maps)
             return failure("material \"{}\": {}", quoted_for_message(now_.name, 60),
                            maps.error().message);
