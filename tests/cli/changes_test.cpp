@@ -44,6 +44,56 @@ TEST_F(Changes, ALayerThatIsWrongIsOneLineThatSaysWhere) {
         patina({"bake", sample(), "--layer", at("none.json"), "-o", at("a.glb")})));
 }
 
+TEST_F(Changes, AMaskEntryWithoutANameIsCalledAsItsSource) {
+    ASSERT_TRUE(succeeded(patina({"bake", sample(), "--layer",
+                                  R"({"name": "Dirt", "channels": {"roughness": {"source": 1}},
+             "mask": {"entries": [{"source": {"kind": "perlin-noise"}}]}})",
+                                  "--set", "*/Dirt/mask/Perlin noise/opacity=0.5", "-o", at("a.glb")})));
+}
+
+TEST_F(Changes, AKnobThatNamesItsPresetTurnsThatOneAlone) {
+    const auto bake = [&](const std::vector<std::string>& knobs, const char* name) {
+        std::vector<std::string> arguments = {
+            "bake",   sample(), "--preset", "rusted-iron@Ball", "--preset", "painted-steel@Stand",
+            "--size", "64"};
+        for (const std::string& knob : knobs) {
+            arguments.emplace_back("--knob");
+            arguments.push_back(knob);
+        }
+        arguments.insert(arguments.end(), {"-o", at(name)});
+        EXPECT_TRUE(succeeded(patina(arguments)));
+    };
+    bake({"rust=0.3"}, "both.glb");
+    bake({"rust=0.3", "rusted-iron/rust=0.9"}, "apart.glb");
+    bake({"rusted-iron@Ball/rust=0.9", "rust=0.3"}, "reversed.glb");
+    const Outcome outcome =
+        patina({"compare", at("both.glb"), at("apart.glb"), "--size", "64", "--json"});
+    bool ball = false;
+    for (const auto& each : nlohmann::json::parse(outcome.out)["differences"]) {
+        EXPECT_EQ(each["material"], "Ball");
+        ball = true;
+    }
+    EXPECT_TRUE(ball);
+    EXPECT_EQ(file_text(at("apart.glb")), file_text(at("reversed.glb")));
+    const Outcome unknown = patina({"bake", sample(), "--preset", "rusted-iron@Ball", "--knob",
+                                    "painted-steel/rust=0.3", "-o", at("c.glb")});
+    EXPECT_TRUE(failed_with_one_line(unknown));
+    EXPECT_THAT(unknown.errors, HasSubstr("painted-steel"));
+}
+
+TEST_F(Changes, AScaleIsTheWholeNumberThatItIsTakenFor) {
+    const auto bake = [&](const char* scale, const char* name) {
+        ASSERT_TRUE(succeeded(
+            patina({"bake", sample(), "--layer",
+                    std::string(R"({"name": "N", "channels": {"roughness": {"source": )") +
+                        R"({"kind": "perlin-noise", "scale": )" + scale + "}}}}",
+                    "--size", "64", "-o", at(name)})));
+    };
+    bake("9.4", "a.glb");
+    bake("9", "b.glb");
+    EXPECT_EQ(file_text(at("a.glb")), file_text(at("b.glb")));
+}
+
 TEST_F(Changes, SetReachesIntoWhatAPresetLaidOn) {
     ASSERT_TRUE(succeeded(patina({"bake", sample(), "--preset", "rusted-iron@Ball", "--set",
                                   "Ball/Rusted iron/opacity=0.5", "--set", "Ball/resolution=256",
