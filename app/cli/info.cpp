@@ -21,11 +21,13 @@ constexpr const char* kInfoFooter =
     "\n"
     "Examples:\n"
     "  patina info model.glb\n"
-    "  patina info model.glb --json";
+    "  patina info model.glb --json\n"
+    "  patina info model.glb --materials";
 
 struct InfoOptions {
     std::filesystem::path input;
     bool json = false;
+    bool materials = false;
 };
 
 struct SceneCounts {
@@ -191,7 +193,10 @@ void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
 Status run_info(const InfoOptions& options) {
     const auto loaded = opened_document(options.input, {});
     if (!loaded) return passed_on(loaded);
-    if (options.json)
+    if (options.materials)
+        for (const MaterialPtr& material : loaded->document->materials)
+            fmt::print("{}\n", quoted_for_message(material->name));
+    else if (options.json)
         fmt::print("{}\n", to_json(options, *loaded).dump(2));
     else
         print(options, *loaded);
@@ -206,7 +211,10 @@ void add_info(CLI::App& app, Command& chosen) {
     command->footer(kInfoFooter);
     auto options = std::make_shared<InfoOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
-    command->add_flag("--json", options->json, "Report as JSON");
+    auto* json = command->add_flag("--json", options->json, "Report as JSON");
+    command
+        ->add_flag("--materials", options->materials, "Only the names of the materials, one a line")
+        ->excludes(json);
     command->callback([options, &chosen] { chosen = [options] { return run_info(*options); }; });
 }
 

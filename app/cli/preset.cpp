@@ -67,6 +67,33 @@ void add_show(CLI::App& app, Command& chosen) {
     command->callback([name, &chosen] { chosen = [name] { return run_show(*name); }; });
 }
 
+/// The knobs of those presets, or of all that ship.
+Status run_knobs(const std::vector<std::string>& names) {
+    std::vector<io::PresetFile> files;
+    for (const std::string& name : names) {
+        auto file = io::find_preset(name);
+        if (!file) return passed_on(file);
+        files.push_back(std::move(*file));
+    }
+    if (names.empty()) {
+        auto shipped = io::shipped_presets();
+        if (!shipped) return passed_on(shipped);
+        files = std::move(*shipped);
+    }
+    for (const io::PresetFile& file : files)
+        for (const PresetKnob& knob : file.preset.knobs)
+            fmt::print("{:<32} {:<5} {}\n", file.preset.id + "/" + knob.id, knob.value, knob.name);
+    return {};
+}
+
+void add_knobs(CLI::App& app, Command& chosen) {
+    auto* command = app.add_subcommand("knobs", "What --knob can turn, and where it stands");
+    auto names = std::make_shared<std::vector<std::string>>();
+    command->add_option("PRESETS", *names, "Names of those that ship, or files; all if unset")
+        ->type_name("");
+    command->callback([names, &chosen] { chosen = [names] { return run_knobs(*names); }; });
+}
+
 struct PresetExportOptions {
     std::filesystem::path input;
     std::filesystem::path output;
@@ -171,16 +198,19 @@ void add_check_presets(CLI::App& app, Command& chosen) {
 }  // namespace
 
 void add_preset(CLI::App& app, Command& chosen) {
-    auto* command = app.add_subcommand("preset", "The material library: list, show, export, check");
+    auto* command =
+        app.add_subcommand("preset", "The material library: list, show, knobs, export, check");
     command->require_subcommand(1);
     command->footer(
         "Examples:\n"
         "  patina preset list\n"
         "  patina preset show rusted-iron > mine.json\n"
+        "  patina preset knobs rusted-iron\n"
         "  patina preset check mine.json\n"
         "  patina preset export painted.glb --material Body --licence CC0-1.0 -o worn-paint.json");
     add_list(*command, chosen);
     add_show(*command, chosen);
+    add_knobs(*command, chosen);
     add_export_preset(*command, chosen);
     add_check_presets(*command, chosen);
 }
