@@ -274,13 +274,13 @@ MaskEntry read_entry(const Json& json, const std::string& pointer, JsonFaults& f
     JsonObject object(json, pointer, faults);
     MaskEntry entry;
     entry.id.value = static_cast<std::uint64_t>(object.integer("id", 1, kLargestId, 0));
-    entry.name = read_name(object);
     entry.visible = object.boolean("visible", entry.visible);
     entry.combine = object.choice("combine", entry.combine);
     entry.opacity = object.number("opacity", Parameter::MaskEntryOpacity, entry.opacity);
     entry.invert = object.boolean("invert", entry.invert);
     if (const Json* source = object.require("source"))
         entry.source = read_source(std::nullopt, *source, object.pointer_to("source"), faults);
+    entry.name = object.has("name") ? read_name(object) : kind_name(entry.source);
     entry.levels = read_levels(object);
     object.finish();
     return entry;

@@ -20,6 +20,9 @@ Edit set_mask_base(const Material& material, const Layer& layer, float base);
 /// Takes all entries away: the layer covers everything again.
 Edit clear_mask(const Material& material, const Layer& layer);
 
+/// What an entry is called that nobody has named: the kind of its source.
+std::string kind_name(const Source& source);
+
 /// New entries for add_mask_entry, named for what they are.
 MaskEntry value_mask_entry();
 MaskEntry image_mask_entry(const ImageAsset& image);
