@@ -2,6 +2,7 @@
 #include "document/parameters.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace patina {
 namespace {
@@ -97,8 +98,8 @@ constexpr std::array kParameters = {
         .tooltip = "The noise or pattern, from black to white before its ramp."},
     ParameterInfo{.parameter = Parameter::ProceduralSeed, .subject = Subject::Procedural, .id = "seed", .label = "Seed", .kind = Integer, .maximum = 4294967295.0, .step = 1.0, .decimals = 0,
         .tooltip = "Another number, another pattern of the same kind."},
-    ParameterInfo{.parameter = Parameter::ProceduralScale, .subject = Subject::Procedural, .id = "scale", .label = "Scale", .kind = Number, .minimum = 1.0, .maximum = 512.0, .standard = 8.0, .step = 1.0, .curve = SliderCurve::Logarithmic,
-        .tooltip = "Cells across the texture, 1 to 512. Whole numbers tile."},
+    ParameterInfo{.parameter = Parameter::ProceduralScale, .subject = Subject::Procedural, .id = "scale", .label = "Scale", .kind = Integer, .minimum = 1.0, .maximum = 512.0, .standard = 8.0, .step = 1.0, .decimals = 0, .curve = SliderCurve::Logarithmic,
+        .tooltip = "Cells across the texture, 1 to 512: a whole number, so that it tiles."},
     ParameterInfo{.parameter = Parameter::ProceduralOctaves, .subject = Subject::Procedural, .id = "octaves", .label = "Octaves", .kind = Integer, .minimum = 1.0, .maximum = 10.0, .standard = 4.0, .step = 1.0, .decimals = 0,
         .tooltip = "Layers of finer and finer detail, 1 to 10."},
     ParameterInfo{.parameter = Parameter::ProceduralContrast, .subject = Subject::Procedural, .id = "contrast", .label = "Contrast", .kind = Number, .minimum = -1.0,
@@ -188,7 +189,7 @@ constexpr std::array kParameters = {
         .tooltip = "How strongly differences within the radius are raised. 0 to 500 %."},
     ParameterInfo{.parameter = Parameter::AdjustmentDistance, .subject = Subject::Adjustment, .id = "distance", .label = "Distance", .kind = Number, .maximum = 100.0, .standard = 10.0, .step = 0.5, .decimals = 1, .unit = "‰",
         .tooltip = "How far a texel moves at most, in thousandths of the texture's side: 0 to 100 ‰."},
-    ParameterInfo{.parameter = Parameter::AdjustmentScale, .subject = Subject::Adjustment, .id = "scale", .label = "Scale", .kind = Number, .minimum = 1.0, .maximum = 128.0, .standard = 8.0, .step = 1.0, .decimals = 0, .curve = SliderCurve::Logarithmic,
+    ParameterInfo{.parameter = Parameter::AdjustmentScale, .subject = Subject::Adjustment, .id = "scale", .label = "Scale", .kind = Integer, .minimum = 1.0, .maximum = 128.0, .standard = 8.0, .step = 1.0, .decimals = 0, .curve = SliderCurve::Logarithmic,
         .tooltip = "Cells of the noise across the texture, 1 to 128, in whole numbers."},
     ParameterInfo{.parameter = Parameter::AdjustmentOctaves, .subject = Subject::Adjustment, .id = "octaves", .label = "Octaves", .kind = Integer, .minimum = 1.0, .maximum = 10.0, .standard = 3.0, .step = 1.0, .decimals = 0,
         .tooltip = "Layers of finer and finer bends, 1 to 10."},
@@ -303,7 +304,10 @@ Parameter value_parameter(std::optional<Channel> channel) {
 
 Status check_range(Parameter parameter, double value) {
     const ParameterInfo& row = info(parameter);
-    if (value >= row.minimum && value <= row.maximum) return {};  // false for NaN
+    const bool within = value >= row.minimum && value <= row.maximum;  // false for NaN
+    if (row.kind == ParameterKind::Integer && within && value != std::round(value))
+        return failure("{} must be a whole number, got {}", row.label, value);
+    if (within) return {};
     return failure("{} must be {} to {}, got {}", row.label, row.minimum, row.maximum, value);
 }
 

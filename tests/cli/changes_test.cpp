@@ -125,13 +125,12 @@ TEST_F(Changes, AFolderOfTexturesBecomesALayerAndEachGuessIsPrinted) {
     const auto stand = info("b.glb")["materials"][1];
     EXPECT_EQ(stand["stack"].back()["name"], "rust");
     EXPECT_GE(stand["stack"].back()["channels"].size(), 4u);
+    EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("alpha-mode")));
     // A texture that nothing covers goes into the file as it is.
     const auto gltf = glb_json(at("b.glb"));
     EXPECT_TRUE(gltf["materials"][1]["pbrMetallicRoughness"].contains("baseColorTexture"));
 }
 
-}  // namespace
-}  // namespace patina::cli_tests
 TEST_F(Changes, TexturesOfTwoMaterialsAreRefusedInOneLineThatListsThem) {
     ASSERT_TRUE(succeeded(patina({"bake", sample(), "--preset", "rusted-iron", "--size", "16",
                                   "--maps", at("both"), "--packing", "separate", "--quiet"})));
@@ -154,3 +153,5 @@ TEST_F(Changes, OpacityThatTheAlphaModeHidesIsAWarning) {
                                   "Ball/alpha-mode=blend", "-o", at("b.glb")})));
 }
 
+}  // namespace
+}  // namespace patina::cli_tests

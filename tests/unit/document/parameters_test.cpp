@@ -48,6 +48,12 @@ TEST(Parameters, RangesHoldTheirStandardAndAreStatedWhereTheyMatter) {
     }
 }
 
+TEST(Parameters, WholeOnesRefuseDecimals) {
+    EXPECT_TRUE(check_range(Parameter::ProceduralScale, 8.0));
+    EXPECT_FALSE(check_range(Parameter::ProceduralScale, 8.4));
+    EXPECT_FALSE(check_range(Parameter::AdjustmentScale, 8.4));
+}
+
 TEST(Parameters, PercentAndPixelsAndSeedsHaveNoDecimalsAndDegreesHaveOne) {
     for (const ParameterInfo& row : parameters()) {
         if (row.unit == "%" || row.unit == "px") {
