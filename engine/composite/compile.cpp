@@ -45,7 +45,16 @@ class Emitter {
     void note_relief(const Source& source);
     void note_looking_around(const LayerTerms& terms, int depth);
     void emit_height(const LayerTerms& terms, Operation like);
-    std::int32_t emit_reference(const ReferenceSource& source, Reading reading, Operation like);
+    std::int32_t emit_content(const LayerTerms& content, Operation like);
+    /// What is read of a layer by itself; null terms: there is nothing of it.
+    struct Referred {
+        const LayerTerms* terms = nullptr;
+        Channel channel = Channel::Opacity;
+        bool of_mask = false;  ///< what is covered of the channel, instead of its value
+    };
+    std::int32_t emit_reference(const ReferenceSource& source, Reading reading,
+                                const Operation& like);
+    std::int32_t emit_referred(const Referred& referred, Reading reading, Operation like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
     void emit_blend(const Contribution& contribution, Channel channel, Operation like,
                     const StackState& state, const StackState& children);
@@ -185,27 +194,53 @@ void Emitter::emit_recoding(const LayerTerms& terms, const Operation& like, Stac
     }
 }
 
-/// The mask of the layer times that of what it is clipped to; 1 where there is none and heights
-/// make one. Returns what emit_mask does, of the last one; -1 where there is none.
+/// The mask of the layer times that of what it is clipped to and what the content there covers; 1
+/// where there is none and heights make one. Returns what emit_mask does, of the last one; -1 where
+/// there is none.
 std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like) {
-    if (!terms.mask.varies() && !terms.clip.varies()) {
-        if (terms.height_blend == nullptr) return -1;
+    std::int32_t end = -1;
+    const auto join = [&](const auto& emit) {
+        const bool first = end < 0;
+        Operation step = like;
+        if (!first) {
+            // Past it: a mask alone is nothing to leave out.
+            program_.operations[static_cast<std::size_t>(end)].jump = end + 1;
+            step.code = OpCode::MaskKeep;
+            program_.operations.push_back(step);
+        }
+        end = emit();
+        if (first) return;
+        step.code = OpCode::MaskClip;
+        program_.operations.push_back(step);
+    };
+    if (terms.clip_content != nullptr)
+        join([&] { return emit_content(*terms.clip_content, like); });
+    if (terms.clip.varies()) join([&] { return emit_mask(terms.clip, like); });
+    if (terms.mask.varies()) join([&] { return emit_mask(terms.mask, like); });
+    if (end < 0 && terms.height_blend != nullptr) {
         Operation begin = like;
         begin.code = OpCode::MaskBegin;
         program_.operations.push_back(begin);
-        return -1;
     }
-    if (!terms.mask.varies()) return emit_mask(terms.clip, like);
-    if (!terms.clip.varies()) return emit_mask(terms.mask, like);
-    emit_mask(terms.clip, like);
-    program_.operations.back().jump = here();  // past it: a mask alone is nothing to leave out
-    Operation step = like;
-    step.code = OpCode::MaskKeep;
-    program_.operations.push_back(step);
-    const std::int32_t end = emit_mask(terms.mask, like);
-    step.code = OpCode::MaskClip;
-    program_.operations.push_back(step);
     return end;
+}
+
+/// What a layer's content covers of its one channel, as a mask of one entry.
+std::int32_t Emitter::emit_content(const LayerTerms& content, Operation like) {
+    const auto covered = std::find_if(kChannels.begin(), kChannels.end(), [&](const auto& entry) {
+        return at(content.channels, entry.channel).has_value();
+    });
+    SourceRecord record = source_record(ReferenceSource{}, Reading::Scalar);
+    record.reference = emit_referred(
+        {.terms = &content, .channel = covered->channel, .of_mask = true}, Reading::Scalar, like);
+    program_.sources.push_back(std::move(record));
+    like.code = OpCode::MaskEntry;
+    like.combine = MaskCombine::Replace;
+    like.amount = 1.0f;
+    like.flags |= kFirst | kLast;
+    like.source = static_cast<std::int32_t>(program_.sources.size()) - 1;
+    program_.operations.push_back(like);
+    return here() - 1;
 }
 
 void Emitter::note_relief(const Source& source) {
@@ -317,16 +352,23 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
     program_.operations.push_back(like);
 }
 
-/// Emits a layer by itself at the next depth, where what reads it finds it.
 std::int32_t Emitter::emit_reference(const ReferenceSource& source, Reading reading,
-                                     Operation like) {
-    const LayerTerms* const terms = referred_.find(source);
-    const Channel channel = channel_of(source.result).value_or(Channel::Opacity);
+                                     const Operation& like) {
+    return emit_referred({.terms = referred_.find(source),
+                          .channel = channel_of(source.result).value_or(Channel::Opacity),
+                          .of_mask = source.result == LayerResult::Mask},
+                         reading, like);
+}
+
+/// Emits a layer by itself at the next depth, where what reads it finds it.
+std::int32_t Emitter::emit_referred(const Referred& referred, Reading reading, Operation like) {
+    const LayerTerms* const terms = referred.terms;
+    const Channel channel = referred.channel;
     const auto index = static_cast<std::int32_t>(program_.references.size());
     const int depth = like.depth + 1;
     program_.references.push_back(
         {.channel = channel,
-         .of_mask = source.result == LayerResult::Mask,
+         .of_mask = referred.of_mask,
          .needed = terms != nullptr ? terms->run_bits() : channel_bit(channel)});
     program_.depths = std::max(program_.depths, depth + 1);
     like.code = OpCode::Reference;

@@ -179,6 +179,7 @@ bool reads_heights(const LayerTerms& terms, ReferredLayers& referred) {
                reads_heights(*contribution->source, referred);
     };
     return in_mask(terms.mask) || in_mask(terms.clip) ||
+           (terms.clip_content != nullptr && terms.clip_content->reads_heights) ||
            std::any_of(terms.channels.begin(), terms.channels.end(), in_channel);
 }
 
@@ -188,7 +189,12 @@ void add_reduced(const Layer& layer, const Layer* base, const Reduction& how, Be
     LayerTerms terms{.layer = &layer};
     const UvSurface* const surface = how.referred.surface();
     float weight = uniform_weight(layer, surface, terms.mask);
-    if (base != nullptr) weight *= uniform_weight(*base, surface, terms.clip);
+    if (base != nullptr) {
+        weight *= uniform_weight(*base, surface, terms.clip);
+        const ReferredLayers::Content& content = how.referred.content_of(*base);
+        if (content.is_nothing) return;
+        if (content.terms) terms.clip_content = &*content.terms;
+    }
     if (!(weight > 0.0f)) return;
     terms.pass_through = layer.is_pass_through();
     if (const auto* const group = std::get_if<GroupContent>(&layer.content)) {
@@ -269,6 +275,35 @@ LayerPtr as_read(const Layer& layer, LayerResult result) {
                 at(copy.channels, entry.channel).enabled = false;
     }
     return std::make_shared<const Layer>(std::move(copy));
+}
+
+/// The layer with nothing but its content.
+LayerPtr content_alone(const Layer& layer) {
+    Layer copy = layer;
+    copy.visible = true;
+    copy.opacity = 1.0f;
+    copy.mask = {};
+    copy.height_blend.enabled = false;
+    if (copy.is_pass_through()) copy.mode = BlendMode::Normal;
+    for (ChannelSettings& settings : copy.channels)
+        if (settings.opacity > 0.0f) settings.opacity = 1.0f;
+    return std::make_shared<const Layer>(std::move(copy));
+}
+
+/// Whether the layer gives the channel a value, and does not only adjust one.
+bool lays_on(const LayerTerms& layer, Channel channel) {
+    const auto& contribution = at(layer.channels, channel);
+    if (!contribution || contribution->adjustment != nullptr) return false;
+    return contribution->source != nullptr ||
+           std::any_of(layer.children.begin(), layer.children.end(),
+                       [&](const LayerTerms& child) { return lays_on(child, channel); });
+}
+
+/// Leaves one channel of a layer.
+void keep_channel(LayerTerms& terms, Channel channel) {
+    for (const ChannelInfo& entry : kChannels)
+        if (entry.channel != channel) at(terms.channels, entry.channel).reset();
+    keep_channels(terms.children, terms.run_bits());
 }
 
 void add_source(Hasher& hasher, const ConstantSource& source) {
@@ -427,6 +462,28 @@ const LayerTerms* ReferredLayers::find(const ReferenceSource& reference) {
     return found.terms ? &*found.terms : nullptr;
 }
 
+const ReferredLayers::Content& ReferredLayers::content_of(const Layer& layer) {
+    const auto [place, is_new] = contents_.try_emplace(&layer);
+    Content& content = place->second;
+    // What an adjustment covers is what lies below it.
+    if (!is_new || layer.is_adjustment()) return content;
+    content.plain = content_alone(layer);
+    StackTerms terms;
+    add_reduced(*content.plain, nullptr, {CoveredLayers::Drop, *this}, Below::Nothing, terms);
+    terms = simplified(std::move(terms), Below::Nothing, CoveredLayers::Drop);
+    const auto first =
+        std::find_if(kChannels.begin(), kChannels.end(), [&](const ChannelInfo& entry) {
+            return !terms.empty() && lays_on(terms.front(), entry.channel);
+        });
+    content.is_nothing = first == kChannels.end() && layer.is_group();
+    // A fill of no channel is there for its mask.
+    if (first == kChannels.end() || at(terms.front().channels, first->channel)->covers)
+        return content;
+    keep_channel(terms.front(), first->channel);
+    content.terms = std::move(terms.front());
+    return content;
+}
+
 std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channel channel) {
     std::vector<const LayerTerms*> layers;
     for (const LayerTerms& layer : terms)
@@ -450,6 +507,8 @@ Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels, ReferredLayers
     Hasher hasher;
     add_mask(hasher, terms.mask, referred);
     add_mask(hasher, terms.clip, referred);
+    if (terms.clip_content != nullptr)
+        hasher.add(layer_hash(*terms.clip_content, kAllChannels, referred));
     hasher.add(terms.pass_through).add(terms.height_blend != nullptr);
     if (terms.height_blend != nullptr) {
         const HeightBlend& blend = *terms.height_blend;

@@ -94,8 +94,8 @@ struct Layer {
     std::string name = {};
     bool visible = true;
     bool locked = false;
-    /// Only where the next layer below that is not clipped covers: weight times that one's opacity
-    /// and mask. Hidden with it; alone at the bottom of a stack it makes no difference.
+    /// Only where the next layer below that is not clipped covers: weight times that one's opacity,
+    /// mask and content's cover. Hidden with it; alone at the bottom of a stack it does nothing.
     bool clipped = false;
     float opacity = 1.0f;                ///< 0 to 1
     BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own

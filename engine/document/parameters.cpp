@@ -22,7 +22,7 @@ constexpr std::array kParameters = {
     ParameterInfo{.parameter = Parameter::LayerLocked, .subject = Subject::Layer, .id = "locked", .label = "Locked", .kind = Switch,
         .tooltip = "A locked layer, and all that a locked group holds, cannot be changed."},
     ParameterInfo{.parameter = Parameter::LayerClipped, .subject = Subject::Layer, .id = "clipped", .label = "Clip to layer below", .kind = Switch,
-        .tooltip = "Covers only where the next unclipped layer below does, by its opacity and mask."},
+        .tooltip = "Covers only where the next unclipped layer below does: by opacity, mask and content."},
     ParameterInfo{.parameter = Parameter::LayerOpacity, .subject = Subject::Layer, .id = "opacity", .label = "Opacity", .kind = Number, .standard = 1.0, .display_scale = 100.0, .decimals = 0, .unit = "%",
         .tooltip = "How strongly the layer covers what lies below, in all channels. 0 to 100 %."},
     ParameterInfo{.parameter = Parameter::LayerMode, .subject = Subject::Layer, .id = "mode", .label = "Blend mode", .kind = ParameterKind::Choice,

@@ -93,6 +93,9 @@ class Texel {
     };
 
     double coverage(const Layer& layer) const;
+    bool lays(const Layer& layer, Channel channel) const;
+    bool is_empty_group(const Layer& layer) const;
+    double content_coverage(const Layer& layer) const;
     void composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const;
     void composite(const Layer& layer, double weight, Accumulators& accumulators) const;
     double share_by_height(const Layer& layer, const Accumulated& below,
@@ -118,11 +121,58 @@ double Texel::coverage(const Layer& layer) const {
     return static_cast<double>(layer.opacity) * mask(layer.mask);
 }
 
+/// Whether the layer may lay something on the channel, at whatever texel.
+bool Texel::lays(const Layer& layer, Channel channel) const {
+    const ChannelSettings& settings = at(layer.channels, channel);
+    if (!settings.enabled || settings.opacity == 0.0f) return false;
+    const auto* const group = std::get_if<GroupContent>(&layer.content);
+    if (group == nullptr) return true;
+    const Layer* base = nullptr;
+    bool found = false;
+    const auto shows = [&](const Layer& child) {
+        const bool varies = std::any_of(
+            child.mask.entries.begin(), child.mask.entries.end(), [](const MaskEntry& entry) {
+                return entry.visible && entry.opacity > 0.0f &&
+                       !std::holds_alternative<ConstantSource>(entry.source);
+            });
+        return child.visible && child.opacity > 0.0f &&
+               ((child.mask.enabled && varies) || mask(child.mask) > 0.0);
+    };
+    for (const LayerPtr& child : group->children) {
+        const bool clipped = child->clipped && base != nullptr;
+        const bool hidden = clipped && (!shows(*base) || is_empty_group(*base));
+        if (!child->clipped) base = child.get();
+        if (!hidden && !child->is_adjustment() && shows(*child)) found |= lays(*child, channel);
+    }
+    return found;
+}
+
+bool Texel::is_empty_group(const Layer& layer) const {
+    return layer.is_group() &&
+           std::none_of(kChannels.begin(), kChannels.end(),
+                        [&](const ChannelInfo& entry) { return lays(layer, entry.channel); });
+}
+
+/// What the layer's content covers here, of the first channel that it lays on.
+double Texel::content_coverage(const Layer& layer) const {
+    if (layer.is_adjustment()) return 1;
+    const auto first =
+        std::find_if(kChannels.begin(), kChannels.end(),
+                     [&](const ChannelInfo& entry) { return lays(layer, entry.channel); });
+    if (first == kChannels.end()) return layer.is_group() ? 0 : 1;
+    if (const auto* const group = std::get_if<GroupContent>(&layer.content)) {
+        Accumulators children;
+        composite(group->children, children);
+        return at(children, first->channel).coverage;
+    }
+    return sampled(at(layer.channels, first->channel).source, first->kind).coverage;
+}
+
 void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const {
     const Layer* base = nullptr;
     for (const LayerPtr& layer : stack) {
         double weight = coverage(*layer);
-        if (layer->clipped && base != nullptr) weight *= coverage(*base);
+        if (layer->clipped && base != nullptr) weight *= coverage(*base) * content_coverage(*base);
         if (!layer->clipped) base = layer.get();
         composite(*layer, weight, accumulators);
     }
