@@ -59,6 +59,21 @@ std::vector<std::string_view> channels_of(const Layer& layer) {
     return ids;
 }
 
+/// Of the entries of the mask that are adjustments.
+std::vector<std::string_view> adjustments_of(const Mask& mask) {
+    std::vector<std::string_view> ids;
+    for (const MaskEntry& entry : mask.entries)
+        if (entry.adjustment) ids.push_back(choice(entry.adjustment->kind).id);
+    return ids;
+}
+
+std::string described(const Mask& mask) {
+    const std::vector<std::string_view> adjustments = adjustments_of(mask);
+    std::string text = fmt::format("mask of {}", mask.entries.size());
+    if (!adjustments.empty()) text += fmt::format(" ({})", fmt::join(adjustments, ", "));
+    return text;
+}
+
 Json to_json(const Layer& layer) {
     Json json = {{"id", layer.id.value},
                  {"name", layer.name},
@@ -68,6 +83,7 @@ Json to_json(const Layer& layer) {
                  {"opacity", layer.opacity},
                  {"mode", info(layer.mode).id},
                  {"mask_entries", layer.mask.entries.size()},
+                 {"mask_adjustments", adjustments_of(layer.mask)},
                  {"clipped", layer.clipped},
                  {"channels", channels_of(layer)},
                  {"height_blend", layer.height_blend.enabled}};
@@ -150,7 +166,7 @@ std::string described(const Layer& layer) {
     if (layer.mode != BlendMode::Normal) text += fmt::format(", {}", info(layer.mode).label);
     if (layer.height_blend.enabled) text += ", by height";
     if (layer.opacity != 1.0f) text += fmt::format(", {:.0f} %", 100.0f * layer.opacity);
-    if (!layer.mask.entries.empty()) text += fmt::format(", mask of {}", layer.mask.entries.size());
+    if (!layer.mask.entries.empty()) text += ", " + described(layer.mask);
     for (const std::string_view what : read_of_model(layer)) text += fmt::format(", {}", what);
     if (!layer.visible) text += ", hidden";
     if (layer.locked) text += ", locked";

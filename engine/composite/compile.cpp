@@ -47,6 +47,9 @@ class Emitter {
     void emit_height(const LayerTerms& terms, Operation like);
     std::int32_t emit_reference(const ReferenceSource& source, Reading reading, Operation like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
+    Operation mask_source(const MaskEntry& entry, Operation like);
+    Operation mask_adjustment(const AdjustmentSettings& adjustment, std::int32_t start,
+                              Operation like);
     void emit_blend(const Contribution& contribution, Channel channel, Operation like,
                     const StackState& state, const StackState& children);
     /// `like`: the operation that is going to read the source.
@@ -256,10 +259,11 @@ void Emitter::emit_height(const LayerTerms& terms, Operation like) {
 
 /// Returns the index of the last entry, whose jump is set when the layer is complete.
 std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
+    const std::int32_t start = here();
     const MaskEntry& lowest = *mask.entries.front();
     const bool whole = lowest.opacity >= 1.0f;
-    const bool first = whole && (lowest.combine == MaskCombine::Replace ||
-                                 (lowest.combine == MaskCombine::Multiply && mask.begin == 1.0f));
+    const bool first = whole && (lowest.combine == BlendMode::Replace ||
+                                 (lowest.combine == BlendMode::Multiply && mask.begin == 1.0f));
     if (!first) {
         Operation begin = like;
         begin.code = OpCode::MaskBegin;
@@ -267,17 +271,12 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
         program_.operations.push_back(begin);
     }
     for (const MaskEntry* entry : mask.entries) {
-        Operation join = like;
-        join.code = OpCode::MaskEntry;
-        join.combine = entry->combine;
+        Operation join = entry->adjustment ? mask_adjustment(*entry->adjustment, start, like)
+                                           : mask_source(*entry, like);
+        join.mode = entry->combine;
         join.amount = entry->opacity;
-        join.source = add_source(entry->source, Reading::Scalar, like);
-        if (first && entry == &lowest) join.flags |= kFirst;
         if (entry->invert) join.flags |= kInvert;
-        if (!is_identity(entry->levels)) {
-            program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
-            program_.levels.push_back(entry->levels);
-        }
+        if (first && entry == &lowest) join.flags |= kFirst;
         if (entry == mask.entries.back()) {
             join.flags |= kLast;
             if (mask.invert) join.flags |= kInvertMask;
@@ -285,6 +284,36 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
         program_.operations.push_back(join);
     }
     return here() - 1;
+}
+
+/// Notes what the operation that follows, an entry of a mask, reads.
+Operation Emitter::mask_source(const MaskEntry& entry, Operation like) {
+    const std::int32_t source = add_source(entry.source, Reading::Scalar, like);
+    like.code = OpCode::MaskEntry;
+    like.source = source;
+    if (is_identity(entry.levels)) return like;
+    program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
+    program_.levels.push_back(entry.levels);
+    return like;
+}
+
+/// The same of an entry that is an adjustment. `start`: the first operation of the mask.
+Operation Emitter::mask_adjustment(const AdjustmentSettings& adjustment, std::int32_t start,
+                                   Operation like) {
+    like.code = OpCode::MaskAdjust;
+    like.source = static_cast<std::int32_t>(program_.adjustments.size());
+    program_.adjustments.push_back(adjustment);
+    if (!looks_around(adjustment.kind)) return like;
+    like.around = static_cast<std::int32_t>(program_.around.size());
+    program_.around.push_back({.start = start,
+                               .begin = here(),
+                               .last = here(),
+                               .of_mask = true,
+                               .adjustment = like.source,
+                               .depth = like.depth,
+                               .channels = like.channels,
+                               .referring = referring_});
+    return like;
 }
 
 void Emitter::emit_blend(const Contribution& contribution, Channel channel, Operation like,
@@ -305,7 +334,7 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
         like.source = static_cast<std::int32_t>(program_.adjustments.size());
         const bool around = looks_around(contribution.adjustment->kind);
         if (around) program_.around.back().last = here();
-        like.jump = around ? static_cast<std::int32_t>(program_.around.size()) - 1 : -1;
+        if (around) like.around = static_cast<std::int32_t>(program_.around.size()) - 1;
         program_.adjustments.push_back(*contribution.adjustment);
     } else if (contribution.source != nullptr) {
         like.code = OpCode::Blend;

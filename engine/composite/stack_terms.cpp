@@ -30,20 +30,30 @@ bool covers(const StackTerms& terms, Channel channel) {
     return covered;
 }
 
-/// Folds what is uniform from the bottom of the mask up. Returns its value where all of it is.
+/// What the entry's source or adjustment gives, where that is the same in every texel. `below`:
+/// what the entries before it come to.
+std::optional<float> uniform_value(const MaskEntry& entry, const MaskTerm& below,
+                                   const UvSurface* surface) {
+    if (below.varies()) return std::nullopt;
+    if (entry.adjustment) return adjusted_mask_value(*entry.adjustment, below.begin);
+    const auto* const constant =
+        std::get_if<ConstantSource>(&resolved_source(entry.source, surface));
+    return constant != nullptr ? std::optional(constant->value.x) : std::nullopt;
+}
+
+/// Folds what is uniform from the bottom of the mask up: the first entry that is left is no
+/// adjustment. Returns its value where all of it is.
 std::optional<float> reduce_mask(const Mask& mask, const UvSurface* surface, MaskTerm& term) {
     if (!mask.enabled) return 1.0f;
     term.begin = mask.base;
     term.invert = mask.invert;
     for (const MaskEntry& entry : mask.entries) {
         if (!entry.visible || entry.opacity <= 0.0f) continue;
-        const Source& source = resolved_source(entry.source, surface);
-        const auto* const constant = std::get_if<ConstantSource>(&source);
-        if (constant != nullptr && !term.varies()) {
-            term.begin = joined_mask_value(term.begin, entry, constant->value.x);
+        if (const auto value = uniform_value(entry, term, surface)) {
+            term.begin = joined_mask_value(term.begin, entry, *value);
         } else {
-            if (entry.combine == MaskCombine::Replace && entry.opacity >= 1.0f)
-                term.entries.clear();
+            const bool covers = entry.combine == BlendMode::Replace && entry.opacity >= 1.0f;
+            if (covers && !entry.adjustment) term.entries.clear();
             term.entries.push_back(&entry);
         }
     }
@@ -375,9 +385,14 @@ void add_mask(Hasher& hasher, const MaskTerm& mask, ReferredLayers& referred) {
     if (!mask.varies()) return;
     hasher.add(mask.begin).add(mask.invert);
     for (const MaskEntry* entry : mask.entries) {
-        hasher.add(source_hash(entry->source, referred)).add(entry->combine).add(entry->opacity);
-        hasher.add(entry->invert);
-        add_levels(hasher, entry->levels);
+        hasher.add(entry->combine).add(entry->opacity).add(entry->invert);
+        hasher.add(entry->adjustment.has_value());
+        if (entry->adjustment) {
+            add_adjustment(hasher, *entry->adjustment);
+        } else {
+            hasher.add(source_hash(entry->source, referred));
+            add_levels(hasher, entry->levels);
+        }
     }
 }
 

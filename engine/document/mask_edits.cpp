@@ -123,6 +123,14 @@ MaskEntry geometry_mask_entry(const std::string& part) {
     return entry_named(part, GeometrySource{.meshes = {part}});
 }
 
+MaskEntry adjustment_mask_entry(AdjustmentKind kind) {
+    MaskEntry entry;
+    entry.name = choice(kind).label;
+    entry.adjustment = AdjustmentSettings{.kind = kind};
+    entry.combine = BlendMode::Replace;
+    return entry;
+}
+
 MaskEntryId next_mask_entry_id(const Document& document) {
     return MaskEntryId{document.next_id};
 }
@@ -192,7 +200,7 @@ Edit set_mask_entry_visible(const Material& material, const Layer& layer, const 
 }
 
 Edit set_mask_entry_combine(const Material& material, const Layer& layer, const MaskEntry& entry,
-                            MaskCombine combine) {
+                            BlendMode combine) {
     return entry_edit(material, layer, entry, info(Parameter::MaskEntryCombine).label, {},
                       &MaskEntry::combine, combine);
 }
@@ -214,6 +222,23 @@ Edit set_mask_entry_levels(const Material& material, const Layer& layer, const M
                            const Levels& levels) {
     return entry_edit(material, layer, entry, "Levels", {"mask-entry.levels", entry.id.value},
                       &MaskEntry::levels, levels);
+}
+
+Edit set_mask_entry_adjustment(const Material& material, const Layer& layer, const MaskEntry& entry,
+                               const AdjustmentSettings& adjustment, Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    const bool merges = row.kind != ParameterKind::Choice;
+    return entry_list_edit(
+        material, layer, entry, fmt::format("{} of mask entry {}", row.label, entry.name),
+        merges ? MergeKey{fmt::format("mask-entry.{}", row.id), entry.id.value} : MergeKey{},
+        [adjustment](std::vector<MaskEntry>& entries, std::size_t index, std::uint64_t&) -> Status {
+            MaskEntry& changed = entries[index];
+            if (!changed.adjustment)
+                return failure("mask entry {} is not an adjustment",
+                               quoted_for_message(changed.name, 80));
+            changed.adjustment = adjustment;
+            return {};
+        });
 }
 
 }  // namespace patina

@@ -146,7 +146,7 @@ constexpr std::array kParameters = {
         .tooltip = "What the mask entry is called."},
     ParameterInfo{.parameter = Parameter::MaskEntryVisible, .subject = Subject::MaskEntry, .id = "visible", .label = "Visible", .kind = Switch, .standard = 1.0,
         .tooltip = "A hidden entry is left out of the mask."},
-    ParameterInfo{.parameter = Parameter::MaskEntryCombine, .subject = Subject::MaskEntry, .id = "combine", .label = "Combine", .kind = ParameterKind::Choice, .standard = 1.0, .choices = kMaskCombines,
+    ParameterInfo{.parameter = Parameter::MaskEntryCombine, .subject = Subject::MaskEntry, .id = "combine", .label = "Combine", .kind = ParameterKind::Choice,
         .tooltip = "How the entry joins what the entries before it made."},
     ParameterInfo{.parameter = Parameter::MaskEntryOpacity, .subject = Subject::MaskEntry, .id = "opacity", .label = "Opacity", .kind = Number, .standard = 1.0, .display_scale = 100.0, .decimals = 0, .unit = "%",
         .tooltip = "How much of the entry's effect is kept. 0 to 100 %."},

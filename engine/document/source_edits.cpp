@@ -14,14 +14,15 @@ SourceUse use_of(const SourcePlace& place) {
     return channel ? SourceUse(*channel) : std::nullopt;
 }
 
-/// Null when the mask has no such entry.
+/// Null when the mask has no such entry, or one that is an adjustment.
 Source* source_in(Layer& layer, const SourcePlace& place) {
     if (const auto* channel = std::get_if<Channel>(&place.part))
         return &at(layer.channels, *channel).source;
     const auto id = std::get<MaskEntryId>(place.part);
     const auto entry = std::find_if(layer.mask.entries.begin(), layer.mask.entries.end(),
                                     [id](const MaskEntry& each) { return each.id == id; });
-    return entry == layer.mask.entries.end() ? nullptr : &entry->source;
+    const bool there = entry != layer.mask.entries.end() && !entry->adjustment;
+    return there ? &entry->source : nullptr;
 }
 
 /// "Contrast of mask entry Drips", "Base colour contrast of Tarnish".
@@ -51,7 +52,7 @@ Edit source_edit(const SourcePlace& place, std::string label, MergeKey merge_key
                                       Source* source = source_in(copy, place);
                                       if (!source)
                                           return failure(
-                                              "the mask of {} has no such entry any more",
+                                              "the mask of {} has no such source any more",
                                               quoted_for_message(copy.name, 80));
                                       if (Status status = change(*source, before); !status)
                                           return status;

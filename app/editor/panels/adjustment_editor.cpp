@@ -2,6 +2,7 @@
 #include "editor/panels/adjustment_editor.h"
 
 #include <array>
+#include <functional>
 
 #include "document/edits.h"
 #include "editor/panels/choice_combo.h"
@@ -14,16 +15,18 @@
 namespace patina::editor {
 namespace {
 
+/// The edit of whatever has the adjustment.
+using EditOf = std::function<Edit(const AdjustmentSettings& changed, Parameter parameter)>;
+
 struct Editing {
     Ui& ui;
     Rect& rest;
-    const Material& material;
-    const Layer& layer;
     const AdjustmentSettings& now;
+    const EditOf& edit_of;
     Requests requests = {};
 
     void change(const AdjustmentSettings& changed, Parameter parameter) {
-        requests.edit(set_adjustment(material, layer, changed, parameter));
+        requests.edit(edit_of(changed, parameter));
     }
     void number(const Rect& box, Parameter parameter, float AdjustmentSettings::*member) {
         const auto next =
@@ -157,27 +160,47 @@ void draw_numbers(Editing& editing) {
     }
 }
 
+/// `allowed`: the kinds that can be chosen; null: all.
+Requests draw_fields(Ui& ui, Rect& rest, const AdjustmentSettings& now, const EditOf& edit_of,
+                     bool (*allowed)(AdjustmentKind)) {
+    const Place place(ui, "Adjustment");
+    Editing editing{ui, rest, now, edit_of};
+    const auto kind = parameter_combo(ui, next_line(ui, rest), Parameter::AdjustmentKindChoice,
+                                      now.kind, true, allowed);
+    if (kind) {
+        AdjustmentSettings changed = now;
+        changed.kind = *kind;
+        editing.change(changed, Parameter::AdjustmentKindChoice);
+    }
+    draw_numbers(editing);
+    return std::move(editing.requests);
+}
+
 }  // namespace
 
 Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer) {
     const auto* content = std::get_if<AdjustmentContent>(&layer.content);
     if (content == nullptr) return {};
-    const Place place(ui, "Adjustment");
     Rect inner = rest;
     inner.x0 += ui.px(12);
     inner.x1 -= ui.px(12);
     const float top = inner.y0;
-    Editing editing{ui, inner, material, layer, content->adjustment};
-    const auto kind = parameter_combo(ui, next_line(ui, inner), Parameter::AdjustmentKindChoice,
-                                      content->adjustment.kind);
-    if (kind) {
-        AdjustmentSettings changed = content->adjustment;
-        changed.kind = *kind;
-        editing.change(changed, Parameter::AdjustmentKindChoice);
-    }
-    draw_numbers(editing);
+    const EditOf edit_of = [&](const AdjustmentSettings& changed, Parameter parameter) {
+        return set_adjustment(material, layer, changed, parameter);
+    };
+    Requests requests = draw_fields(ui, inner, content->adjustment, edit_of, nullptr);
     rest.cut_top(inner.y0 - top + ui.px(6));
-    return std::move(editing.requests);
+    return requests;
+}
+
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer,
+                         const MaskEntry& entry) {
+    if (!entry.adjustment) return {};
+    const EditOf edit_of = [&](const AdjustmentSettings& changed, Parameter parameter) {
+        return set_mask_entry_adjustment(material, layer, entry, changed, parameter);
+    };
+    return draw_fields(ui, rest, *entry.adjustment, edit_of,
+                       [](AdjustmentKind kind) { return adjusts_masks(kind); });
 }
 
 }  // namespace patina::editor

@@ -9,4 +9,8 @@ namespace patina::editor {
 /// The controls of an adjustment layer, cut off the top of `rest`. Nothing for other layers.
 Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer);
 
+/// The same of a mask entry that is an adjustment.
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer,
+                         const MaskEntry& entry);
+
 }  // namespace patina::editor

@@ -13,6 +13,7 @@ std::optional<BlendMode> blend_combo(Ui& ui, const Rect& rect, const ComboSpec& 
     for (const BlendModeInfo& row : kBlendModes) {
         const bool passes = of == BlendOf::Group && row.mode == BlendMode::PassThrough;
         if ((row.kinds & kind_bit(kind)) == 0 && !passes) continue;
+        if (of == BlendOf::Mask && !combines_masks(row.mode)) continue;
         if (row.mode == current) chosen = static_cast<int>(items.size());
         items.push_back({.label = row.label, .group = row.group, .tooltip = row.tooltip});
         modes.push_back(row.mode);

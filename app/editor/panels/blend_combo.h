@@ -8,8 +8,8 @@
 
 namespace patina::editor {
 
-/// Groups can pass through as well.
-enum class BlendOf { Channel, Group };
+/// Groups can pass through as well; entries of masks (of ChannelKind::Scalar) join by fewer.
+enum class BlendOf { Channel, Group, Mask };
 
 /// A combo of the blend modes that mean something for `kind`, under the headings of the table.
 std::optional<BlendMode> blend_combo(Ui& ui, const Rect& rect, const ComboSpec& spec,

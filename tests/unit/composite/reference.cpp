@@ -235,34 +235,21 @@ void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weig
     below.coverage = ao;
 }
 
-double joined(MaskCombine combine, double mask, double entry) {
-    switch (combine) {
-        case MaskCombine::Replace:
-            return entry;
-        case MaskCombine::Multiply:
-            return mask * entry;
-        case MaskCombine::Add:
-            return std::min(mask + entry, 1.0);
-        case MaskCombine::Subtract:
-            return std::max(mask - entry, 0.0);
-        case MaskCombine::Lighten:
-            return std::max(mask, entry);
-        case MaskCombine::Darken:
-            return std::min(mask, entry);
-    }
-    return mask;
-}
-
 double Texel::mask(const Mask& mask) const {
     if (!mask.enabled) return 1;
     double value = static_cast<double>(mask.base);
     for (const MaskEntry& entry : mask.entries) {
         if (!entry.visible) continue;
-        double own = sampled(entry.source, ChannelKind::Scalar).value.x;
+        double own =
+            entry.adjustment
+                ? testing::adjusted(*entry.adjustment, Channel::Opacity, Vec3(value), false).x
+                : sampled(entry.source, ChannelKind::Scalar).value.x;
         if (entry.invert) own = 1 - own;
         own = testing::leveled(entry.levels, own);
-        value =
-            glm::mix(value, joined(entry.combine, value, own), static_cast<double>(entry.opacity));
+        const double joined = entry.combine == BlendMode::Replace
+                                  ? own
+                                  : testing::published_blend(entry.combine, value, own);
+        value = glm::mix(value, joined, static_cast<double>(entry.opacity));
     }
     value = std::clamp(value, 0.0, 1.0);
     return mask.invert ? 1 - value : value;

@@ -375,6 +375,40 @@ TEST(Edits, MaskEntriesAreAddedMovedAndRemoved) {
     EXPECT_EQ(layer().mask, Mask{});
 }
 
+TEST(Edits, AnAdjustmentOfAMaskIsChangedByItsOwnEditAndHasNoSource) {
+    Sample sample;
+    const auto layer = [&]() -> const Layer& { return sample.layer("Verdigris"); };
+    sample.apply(
+        add_mask_entry(sample.material(), layer(), adjustment_mask_entry(AdjustmentKind::Curves)));
+    const MaskEntry entry = layer().mask.entries.back();
+    EXPECT_EQ(entry.combine, BlendMode::Replace);
+    AdjustmentSettings changed = *entry.adjustment;
+    changed.curve[0].y = 0.25f;
+    const Edit edit =
+        set_mask_entry_adjustment(sample.material(), layer(), entry, changed, Parameter::CurveY);
+    EXPECT_EQ(edit.label, "Output of mask entry Curves");
+    EXPECT_NE(edit.merge_key, MergeKey{});
+    sample.apply(edit);
+    EXPECT_EQ(layer().mask.entries.back().adjustment, changed);
+
+    changed.kind = AdjustmentKind::HueSaturation;
+    EXPECT_NE(sample.refusal(set_mask_entry_adjustment(sample.material(), layer(), entry, changed,
+                                                       Parameter::AdjustmentKindChoice)),
+              "");
+    EXPECT_NE(sample.refusal(set_mask_entry_adjustment(sample.material(), layer(),
+                                                       layer().mask.entries[0], {},
+                                                       Parameter::AdjustmentKindChoice)),
+              "");
+    EXPECT_NE(sample.refusal(set_constant(source_place(sample.material(), layer(), entry), {})),
+              "");
+    EXPECT_NE(
+        sample.refusal(set_mask_entry_levels(sample.material(), layer(), entry, {.gamma = 2.0f})),
+        "");
+    EXPECT_NE(sample.refusal(
+                  set_mask_entry_combine(sample.material(), layer(), entry, BlendMode::HueW3c)),
+              "");
+}
+
 TEST(Edits, APresetOfSeveralLayersBecomesAGroupAndOfOneALayer) {
     Sample sample;
     Preset preset;

@@ -5,7 +5,8 @@
 
 #include "document/edits.h"
 #include "document/references.h"
-#include "editor/panels/choice_combo.h"
+#include "editor/panels/adjustment_editor.h"
+#include "editor/panels/blend_combo.h"
 #include "editor/panels/layer/parts.h"
 #include "editor/panels/levels_fields.h"
 #include "editor/panels/source_editor.h"
@@ -17,7 +18,9 @@
 namespace patina::editor {
 namespace {
 
-std::string kind_of(const Source& source) {
+std::string kind_of(const MaskEntry& entry) {
+    if (entry.adjustment) return std::string(choice(entry.adjustment->kind).label);
+    const Source& source = entry.source;
     if (std::holds_alternative<ImageSource>(source)) return "Image";
     if (std::holds_alternative<ReliefSource>(source)) return "Relief";
     if (std::holds_alternative<ReferenceSource>(source)) return "Layer";
@@ -66,8 +69,10 @@ Requests draw_entry_row(Ui& ui, const Rect& row, const LayerSubject& subject,
     inner.cut_right(ui.px(8));
     const Rect combine_box = inner.cut_right(ui.px(84)).centered(ui.px(84), ui.px(24));
     inner.cut_right(ui.px(6));
-    const auto combine =
-        parameter_combo(ui, combine_box, Parameter::MaskEntryCombine, entry.combine, false);
+    const ParameterInfo& row_of_combine = info(Parameter::MaskEntryCombine);
+    const auto combine = blend_combo(
+        ui, combine_box, {.label = row_of_combine.label, .tooltip = row_of_combine.tooltip},
+        ChannelKind::Scalar, entry.combine, BlendOf::Mask);
     if (combine)
         requests.edit(set_mask_entry_combine(subject.material, subject.layer, entry, *combine));
     const auto opacity =
@@ -91,7 +96,18 @@ Requests draw_entry_row(Ui& ui, const Rect& row, const LayerSubject& subject,
             3);
     Rect words = inner.centered(inner.width(), ui.px(32));
     text(ui, words.cut_top(ui.px(17)), ui.fonts.body13, theme::kText, entry.name);
-    text(ui, words, ui.fonts.caption11, theme::kText3, kind_of(entry.source));
+    text(ui, words, ui.fonts.caption11, theme::kText3, kind_of(entry));
+    return requests;
+}
+
+/// What the entry is made of: its source and levels, or its adjustment.
+Requests draw_entry_editor(Ui& ui, Rect& rest, const LayerSubject& subject,
+                           const MaskEntry& entry) {
+    if (entry.adjustment) return draw_adjustment(ui, rest, subject.material, subject.layer, entry);
+    const SourcePlace source = source_place(subject.material, subject.layer, entry);
+    Requests requests = draw_source_editor(
+        ui, rest, {source, entry.source, std::nullopt, subject.layer.id, entry.id}, subject.shown);
+    requests.append(draw_levels(ui, rest, subject, entry));
     return requests;
 }
 
@@ -110,11 +126,7 @@ Requests draw_entry(Ui& ui, Rect& rest, const LayerSubject& subject, const MaskE
         editor.x0 += ui.px(48);
         editor.x1 -= ui.px(12);
         const float top = editor.y0;
-        const SourcePlace source = source_place(subject.material, subject.layer, entry);
-        requests.append(draw_source_editor(
-            ui, editor, {source, entry.source, std::nullopt, subject.layer.id, entry.id},
-            subject.shown));
-        requests.append(draw_levels(ui, editor, subject, entry));
+        requests.append(draw_entry_editor(ui, editor, subject, entry));
         rest.cut_top(editor.y0 - top + ui.px(4));
     }
     list.ChannelsSetCurrent(0);
@@ -154,6 +166,12 @@ Requests draw_add_entry_menu(Ui& ui, const LayerSubject& subject) {
         requests.ask(ChooseImageFor{subject.layer.id, std::monostate{}});
     if (menu.item({.icon = icon::kDroplet, .label = "Value"}))
         requests.edit(add_mask_entry(subject.material, subject.layer, value_mask_entry()));
+    // It changes what the entries before it make.
+    if (menu.item({.icon = icon::kInvert,
+                   .label = "Adjustment",
+                   .enabled = !subject.layer.mask.entries.empty()}))
+        requests.edit(add_mask_entry(subject.material, subject.layer,
+                                     adjustment_mask_entry(AdjustmentKind::Levels)));
     return requests;
 }
 
