@@ -85,6 +85,12 @@ CLI::Option* add_vector_option(CLI::App& app, const std::string& flag,
     return app.add_option_function<std::string>(flag, read, help)->type_name("X,Y,Z");
 }
 
+CLI::Option* add_off_flag(CLI::App& app, const std::string& flag, bool& value,
+                          const std::string& help) {
+    return app.add_flag_callback(
+        flag, [&value] { value = false; }, help);
+}
+
 CLI::Option* add_output_option(CLI::App& app, std::filesystem::path& path,
                                std::vector<std::string> extensions, const std::string& help) {
     const auto check = [extensions](const std::string& text) {

@@ -35,6 +35,11 @@ CLI::Option* add_uv_option(CLI::App& app, const std::string& flag, glm::vec2& va
 CLI::Option* add_output_option(CLI::App& app, std::filesystem::path& path,
                                std::vector<std::string> extensions, const std::string& help);
 
+/// A flag such as `--no-shadows` that turns off what is on. (CLI11's own way to say that writes
+/// "{false}" behind it in the help.)
+CLI::Option* add_off_flag(CLI::App& app, const std::string& flag, bool& value,
+                          const std::string& help);
+
 /// A pick from a table of entries with an `id`; `pick` gets the entry.
 template <typename Table, typename Pick>
 CLI::Option* add_choice_option(CLI::App& app, const std::string& flag, const Table& table,

@@ -12,7 +12,7 @@
 #include "cli/progress_bar.h"
 #include "cli/uv_report.h"
 #include "core/log.h"
-#include "document/worn_surface.h"
+#include "document/material_warnings.h"
 #include "io/save.h"
 
 namespace patina::cli {
@@ -83,12 +83,13 @@ Result<io::SaveReport> save(const BakeOptions& options, const Document& document
     if (options.output.empty()) {
         io::SaveReport nothing;
         for (const MaterialPtr& material : document.materials)
-            for (std::string& line : warnings_of_surface(document, *material))
+            for (std::string& line : warnings_of(document, *material))
                 nothing.warnings.push_back(std::move(line));
         return nothing;
     }
     io::SaveOptions save = options.save;
     save.keep_maps = !options.maps_folder.empty();
+    save.png_level = options.maps.png_level;
     return io::save_document(document, images, options.output, save, progress);
 }
 
@@ -103,6 +104,8 @@ Result<BakeReport> bake(const BakeOptions& options, const Progress& progress) {
         if (reported)
             report.uvs.emplace_back(material->name, uv_layout_of(*loaded->document, *material));
     if (options.maps_folder.empty()) return report;
+    for (std::string& line : io::warnings_of(options.maps))
+        report.saved.warnings.push_back(std::move(line));
     io::MapExportOptions maps = options.maps;
     maps.size = options.save.size;
     maps.baked = &report.saved.maps;

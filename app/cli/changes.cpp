@@ -101,7 +101,8 @@ void add_change_options(CLI::App& app, Changes& changes) {
     add_preset_options(app, changes.presets);
     add_lay_option(app, "--textures", changes.textures, path_request, "DIR[@MATERIAL]",
                    "A folder of textures as a layer; what each is for is guessed from its name\n"
-                   "(_albedo, _rough, _metal, _orm, _nrm, _nor_dx, _ao, _disp ...) and printed");
+                   "(_albedo, _rough, _metal, _orm, _nrm, _nor_dx, _ao, _disp ...) and printed;\n"
+                   "DIR/NAME is the material of that name in a folder of several");
     add_lay_option(app, "--layer", changes.layers, layer_request, "JSON[@MATERIAL]",
                    "Layers as presets have them: a file, or the JSON itself");
     app.add_option_function<std::vector<std::string>>(
@@ -128,7 +129,8 @@ void add_change_options(CLI::App& app, Changes& changes) {
                    changes.lights.push_back(std::move(*light));
                }
            },
-           "One more lamp, as JSON. Kinds: directional, point, spot, sphere, rectangle:\n"
+           "One more lamp, as JSON. Kinds: directional, point, spot, sphere, rectangle. Angles\n"
+           "(inner-cone, outer-cone, turn) are in radians as in glTF, lengths in metres:\n"
            R"({"kind":"sphere","position":[1,2,1],"intensity":20,"radius":0.3})")
         ->allow_extra_args(false)
         ->type_name("JSON");

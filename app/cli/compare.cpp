@@ -41,6 +41,12 @@ struct ChannelDistance {
     double share = 0.0;    ///< of texels that differ by more than 1/255, 0 to 1
 };
 
+/// What is said of the maps of materials that both files have.
+struct MapComparison {
+    std::size_t materials = 0;                    ///< that both have
+    std::vector<ChannelDistance> distances = {};  ///< of channels that differ
+};
+
 std::vector<Channel> all_channels() {
     std::vector<Channel> channels;
     for (const ChannelInfo& entry : kChannels) channels.push_back(entry.channel);
@@ -71,16 +77,17 @@ ChannelDistance distance(const std::string& material, Channel channel, const Cha
     return result;
 }
 
-Result<std::vector<ChannelDistance>> compare_maps(const io::LoadedDocument& before,
-                                                  const io::LoadedDocument& after, int size,
-                                                  const Progress& progress) {
-    std::vector<ChannelDistance> distances;
+Result<MapComparison> compare_maps(const io::LoadedDocument& before,
+                                   const io::LoadedDocument& after, int size,
+                                   const Progress& progress) {
+    MapComparison compared;
     for (const MaterialPtr& material : after.document->materials) {
         const auto& others = before.document->materials;
         const auto other = std::find_if(others.begin(), others.end(), [&](const MaterialPtr& m) {
             return m->name == material->name;
         });
         if (other == others.end()) continue;
+        ++compared.materials;
         progress.set_stage(fmt::format("Baking {}", quoted_for_message(material->name, 60)));
         const auto old_planes = bake_channels(Program::compile(*before.document, **other),
                                               *before.images, size, all_channels());
@@ -90,43 +97,46 @@ Result<std::vector<ChannelDistance>> compare_maps(const io::LoadedDocument& befo
         if (!new_planes) return passed_on(new_planes);
         for (const Channel channel : all_channels()) {
             const auto found = distance(material->name, channel, *old_planes, *new_planes);
-            if (found.largest > 0.0) distances.push_back(found);
+            if (found.largest > 0.0) compared.distances.push_back(found);
         }
     }
-    return distances;
+    return compared;
 }
 
-void print(const std::vector<Difference>& differences,
-           const std::vector<ChannelDistance>& distances, int size) {
+void print(const std::vector<Difference>& differences, const MapComparison& maps, int size) {
     for (const Difference& difference : differences) {
         std::string place = difference.material.empty() ? "scene" : difference.material;
         if (!difference.layer.empty()) place += " / " + difference.layer;
         fmt::print("{}: {}\n", quoted_for_message(place, 200), difference.what);
     }
     if (differences.empty()) fmt::print("the documents say the same\n");
-    if (distances.empty()) {
+    if (maps.materials == 0) {
+        fmt::print("no material is in both files by its name: there are no maps to compare\n");
+        return;
+    }
+    if (maps.distances.empty()) {
         fmt::print("the maps are the same, baked at {0} x {0}\n", size);
         return;
     }
     fmt::print("\nmaps baked at {0} x {0}:\n{1:<28} {2:<11} {3:>9} {4:>9} {5:>22}\n", size,
                "material", "channel", "mean", "largest", "texels over 1/255");
-    for (const ChannelDistance& found : distances)
+    for (const ChannelDistance& found : maps.distances)
         fmt::print("{:<28} {:<11} {:>9.5f} {:>9.5f} {:>21.2f}%\n",
                    quoted_for_message(found.material, 27), info(found.channel).id, found.mean,
                    found.largest, 100.0 * found.share);
 }
 
-Json to_json(const std::vector<Difference>& differences,
-             const std::vector<ChannelDistance>& distances, int size) {
-    Json json = {{"equal", differences.empty() && distances.empty()},
+Json to_json(const std::vector<Difference>& differences, const MapComparison& maps, int size) {
+    Json json = {{"equal", differences.empty() && maps.distances.empty()},
                  {"size", size},
+                 {"materials_compared", maps.materials},
                  {"differences", Json::array()},
                  {"maps", Json::array()}};
     for (const Difference& difference : differences)
         json["differences"].push_back({{"material", difference.material},
                                        {"layer", difference.layer},
                                        {"what", difference.what}});
-    for (const ChannelDistance& found : distances)
+    for (const ChannelDistance& found : maps.distances)
         json["maps"].push_back({{"material", found.material},
                                 {"channel", info(found.channel).id},
                                 {"mean", found.mean},
@@ -139,7 +149,7 @@ Status run_compare(const CompareOptions& options) {
     const ThreadScope threads(options.work);
     const Progress progress;
     std::vector<Difference> found;
-    Result<std::vector<ChannelDistance>> distances;
+    Result<MapComparison> maps;
     {
         const ProgressBar bar(progress, !options.work.quiet);
         const auto before = opened_document(options.before, progress);
@@ -147,13 +157,13 @@ Status run_compare(const CompareOptions& options) {
         const auto after = opened_document(options.after, progress);
         if (!after) return passed_on(after);
         found = differences(*before->document, *after->document);
-        distances = compare_maps(*before, *after, options.size, progress);
+        maps = compare_maps(*before, *after, options.size, progress);
     }
-    if (!distances) return passed_on(distances);
+    if (!maps) return passed_on(maps);
     if (options.work.json)
-        fmt::print("{}\n", to_json(found, *distances, options.size).dump(2));
+        fmt::print("{}\n", to_json(found, *maps, options.size).dump(2));
     else if (!options.work.quiet)
-        print(found, *distances, options.size);
+        print(found, *maps, options.size);
     return {};
 }
 

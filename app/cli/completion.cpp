@@ -16,20 +16,55 @@ constexpr const char* kCompletionFooter =
     "  source <(patina completion)";
 
 constexpr std::string_view kHead = R"(# bash completion for patina, made by 'patina completion'.
+# The words that follow an option.
+_patina_after() {
+    local i
+    for ((i = 1; i < COMP_CWORD; ++i)); do
+        [[ ${COMP_WORDS[i]} == "$1" ]] && printf '%s\n' "${COMP_WORDS[i + 1]%%@*}"
+    done
+}
+# Offers the materials of a file that begin so, behind a prefix; a name with spaces is one word.
+_patina_materials() {
+    local name
+    while IFS= read -r name; do
+        [[ $name == "$2"* ]] || continue
+        printf -v name '%q' "$name"
+        COMPREPLY+=("$3$name")
+    done < <([[ -n $1 ]] && patina info "${1/#\~/$HOME}" --materials 2>/dev/null)
+}
 _patina() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command= words= i
+    local file= layers='--preset|--material-preset|--textures|--layer'
     COMPREPLY=()
+    # Bash takes the "@" of NAME@MATERIAL for a word, unless COMP_WORDBREAKS is without it.
+    [[ $word == @ ]] && before=@ word=
     for ((i = 1; i < COMP_CWORD; ++i)); do
+        [[ -z $file && ${COMP_WORDS[i]} =~ \.(glb|gltf)$ ]] && file=${COMP_WORDS[i]}
         case "$command ${COMP_WORDS[i]}" in
 )";
 constexpr std::string_view kValues = R"(        esac
     done
+    if [[ $before =~ ^($layers)$ && $word == *@* ]]; then
+        _patina_materials "$file" "${word#*@}" "${word%%@*}@"
+        return
+    fi
     case "$command $before" in
 )";
 constexpr std::string_view kOptions = R"(        *' --preset' | *' --material-preset')
             words=$(patina preset list 2>/dev/null | cut -d' ' -f1)
             COMPREPLY=($(compgen -W "$words" -- "$word"))
             compopt -o default 2>/dev/null
+            return ;;
+        *' --knob')
+            # Of the presets that were given, else of all.
+            words=$(patina preset knobs $(_patina_after --preset) \
+                    $(_patina_after --material-preset) 2>/dev/null |
+                cut -d' ' -f1 | sed 'p;s|.*/||' | sort -u)
+            COMPREPLY=($(compgen -W "$words" -S = -- "$word"))
+            compopt -o nospace 2>/dev/null
+            return ;;
+        *' --material' | *' @')
+            _patina_materials "$file" "$word"
             return ;;
     esac
     case "$command" in

@@ -21,7 +21,10 @@ constexpr const char* kExplainFooter =
     "stands\n"
     "first. Colours are linear light; weight is opacity x channel opacity x mask x coverage. The "
     "mask\n"
-    "has in it what heights decide of a layer that blends by height.\n"
+    "has in it what heights decide of a layer that blends by height. Covered is what the group "
+    "has\n"
+    "laid down of the channel so far. A normal that heights bend ends with a step \"from "
+    "height\".\n"
     "\n"
     "Examples:\n"
     "  patina explain rusty.glb --material Ball --uv 0.25,0.5\n"
@@ -65,12 +68,13 @@ Json to_json(const Explained& explained) {
     Json steps = Json::array();
     for (const ExplainStep& step : explained.steps)
         steps.push_back({{"layer", step.layer_name},
-                         {"id", step.layer.value},
+                         {"id", step.layer == LayerId{} ? Json() : Json(step.layer.value)},
                          {"depth", step.depth},
                          {"mode", info(step.mode).id},
                          {"source", json_value(explained.channel, step.source)},
                          {"mask", step.mask},
                          {"weight", step.weight},
+                         {"coverage", step.coverage},
                          {"result", json_value(explained.channel, step.result)}});
     return {{"channel", info(explained.channel).id}, {"steps", steps}};
 }
@@ -83,14 +87,14 @@ void print(const Explained& explained) {
         return;
     }
     const int width = is_vector(channel) ? 22 : 8;
-    fmt::print("  {:<28} {:<14} {:<{}} {:>6} {:>7}  {}\n", "layer", "mode", "value in", width,
-               "mask", "weight", "value out");
+    fmt::print("  {:<28} {:<14} {:<{}} {:>6} {:>7} {:>7}  {}\n", "layer", "mode", "value in", width,
+               "mask", "weight", "covered", "value out");
     for (const ExplainStep& step : explained.steps) {
         const std::string name = std::string(static_cast<std::size_t>(2 * step.depth), ' ') +
                                  quoted_for_message(step.layer_name, 26);
-        fmt::print("  {:<28} {:<14} {:<{}} {:>6.3f} {:>7.4f}  {}\n", name, info(step.mode).id,
-                   text_of(channel, step.source), width, step.mask, step.weight,
-                   text_of(channel, step.result));
+        fmt::print("  {:<28} {:<14} {:<{}} {:>6.3f} {:>7.4f} {:>7.4f}  {}\n", name,
+                   info(step.mode).id, text_of(channel, step.source), width, step.mask, step.weight,
+                   step.coverage, text_of(channel, step.result));
     }
 }
 

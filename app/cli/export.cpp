@@ -9,6 +9,7 @@
 #include "cli/input.h"
 #include "cli/map_options.h"
 #include "cli/progress_bar.h"
+#include "core/log.h"
 
 namespace patina::cli {
 namespace {
@@ -20,7 +21,8 @@ constexpr const char* kExportFooter =
     "Examples:\n"
     "  patina export painted.glb -o maps\n"
     "  patina export painted.glb --packing unreal --size 4096 -o maps\n"
-    "  patina export painted.glb --packing separate --map-format exr -o maps";
+    "  patina export painted.glb --packing separate --map-format exr -o maps\n"
+    "  patina export painted.glb --map-format base-color=jpg --jpg-quality 85 -o maps";
 
 struct ExportOptions {
     std::filesystem::path input;
@@ -41,6 +43,7 @@ Status run_export(const ExportOptions& options) {
                                 progress);
     }
     if (!files) return passed_on(files);
+    for (const std::string& line : io::warnings_of(options.maps)) log_warning("{}", line);
     if (options.work.json) {
         nlohmann::ordered_json json = {{"map_files", nlohmann::ordered_json::array()}};
         for (const auto& file : *files) json["map_files"].push_back(file.string());

@@ -21,11 +21,13 @@ constexpr const char* kInfoFooter =
     "\n"
     "Examples:\n"
     "  patina info model.glb\n"
-    "  patina info model.glb --json";
+    "  patina info model.glb --json\n"
+    "  patina info model.glb --materials";
 
 struct InfoOptions {
     std::filesystem::path input;
     bool json = false;
+    bool materials = false;
 };
 
 struct SceneCounts {
@@ -59,6 +61,21 @@ std::vector<std::string_view> channels_of(const Layer& layer) {
     return ids;
 }
 
+/// Of the entries of the mask that are adjustments.
+std::vector<std::string_view> adjustments_of(const Mask& mask) {
+    std::vector<std::string_view> ids;
+    for (const MaskEntry& entry : mask.entries)
+        if (entry.adjustment) ids.push_back(choice(entry.adjustment->kind).id);
+    return ids;
+}
+
+std::string described(const Mask& mask) {
+    const std::vector<std::string_view> adjustments = adjustments_of(mask);
+    std::string text = fmt::format("mask of {}", mask.entries.size());
+    if (!adjustments.empty()) text += fmt::format(" ({})", fmt::join(adjustments, ", "));
+    return text;
+}
+
 Json to_json(const Layer& layer) {
     Json json = {{"id", layer.id.value},
                  {"name", layer.name},
@@ -68,6 +85,7 @@ Json to_json(const Layer& layer) {
                  {"opacity", layer.opacity},
                  {"mode", info(layer.mode).id},
                  {"mask_entries", layer.mask.entries.size()},
+                 {"mask_adjustments", adjustments_of(layer.mask)},
                  {"clipped", layer.clipped},
                  {"channels", channels_of(layer)},
                  {"height_blend", layer.height_blend.enabled}};
@@ -103,19 +121,34 @@ Json to_json(const Document& document, const Material& material) {
     return json;
 }
 
+Json to_json(const SceneCamera& camera) {
+    if (camera.orthographic_height > 0.0f)
+        return {{"name", camera.name},
+                {"kind", "orthographic"},
+                {"height_m", camera.orthographic_height}};
+    return {{"name", camera.name},
+            {"kind", "perspective"},
+            {"fov_y_degrees", glm::degrees(camera.fov_y_radians)}};
+}
+
+std::string described(const SceneCamera& camera) {
+    if (camera.orthographic_height > 0.0f)
+        return fmt::format("orthographic, {:.3g} m high", camera.orthographic_height);
+    return fmt::format("perspective, {:.1f} degrees from bottom to top",
+                       glm::degrees(camera.fov_y_radians));
+}
+
 Json to_json(const InfoOptions& options, const io::LoadedDocument& loaded) {
     const Document& document = *loaded.document;
     const SceneCounts counts = counts_of(*document.scene);
-    Json json = {{"file", options.input.string()},
-                 {"meshes", counts.meshes},
-                 {"primitives", counts.primitives},
-                 {"vertices", counts.vertices},
-                 {"triangles", counts.triangles},
-                 {"lights", document.lights.size()},
-                 {"environment", document.environment.name},
-                 {"images", Json::array()},
-                 {"materials", Json::array()},
+    Json json = {{"file", options.input.string()},  {"meshes", counts.meshes},
+                 {"primitives", counts.primitives}, {"vertices", counts.vertices},
+                 {"triangles", counts.triangles},   {"lights", document.lights.size()},
+                 {"cameras", Json::array()},        {"environment", document.environment.name},
+                 {"images", Json::array()},         {"materials", Json::array()},
                  {"warnings", loaded.warnings}};
+    for (const SceneCamera& camera : document.scene->cameras)
+        json["cameras"].push_back(to_json(camera));
     for (const auto& [hash, image] : document.images)
         json["images"].push_back({{"name", image->name},
                                   {"hash", to_hex(hash)},
@@ -150,7 +183,7 @@ std::string described(const Layer& layer) {
     if (layer.mode != BlendMode::Normal) text += fmt::format(", {}", info(layer.mode).label);
     if (layer.height_blend.enabled) text += ", by height";
     if (layer.opacity != 1.0f) text += fmt::format(", {:.0f} %", 100.0f * layer.opacity);
-    if (!layer.mask.entries.empty()) text += fmt::format(", mask of {}", layer.mask.entries.size());
+    if (!layer.mask.entries.empty()) text += ", " + described(layer.mask);
     for (const std::string_view what : read_of_model(layer)) text += fmt::format(", {}", what);
     if (!layer.visible) text += ", hidden";
     if (layer.locked) text += ", locked";
@@ -173,6 +206,9 @@ void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
     fmt::print("{}: {} meshes, {} primitives, {} vertices, {} triangles, {} images, {} lights\n",
                quoted_for_message(options.input.string()), counts.meshes, counts.primitives,
                counts.vertices, counts.triangles, document.images.size(), document.lights.size());
+    for (std::size_t i = 0; i < document.scene->cameras.size(); ++i)
+        fmt::print("camera {} {}: {}\n", i, quoted_for_message(document.scene->cameras[i].name),
+                   described(document.scene->cameras[i]));
     for (const auto& [hash, image] : document.images)
         fmt::print("image {}: {}x{}, {} channels, {}\n", quoted_for_message(image->name),
                    image->width, image->height, image->channels, choice(image->type).label);
@@ -191,7 +227,10 @@ void print(const InfoOptions& options, const io::LoadedDocument& loaded) {
 Status run_info(const InfoOptions& options) {
     const auto loaded = opened_document(options.input, {});
     if (!loaded) return passed_on(loaded);
-    if (options.json)
+    if (options.materials)
+        for (const MaterialPtr& material : loaded->document->materials)
+            fmt::print("{}\n", quoted_for_message(material->name));
+    else if (options.json)
         fmt::print("{}\n", to_json(options, *loaded).dump(2));
     else
         print(options, *loaded);
@@ -206,7 +245,10 @@ void add_info(CLI::App& app, Command& chosen) {
     command->footer(kInfoFooter);
     auto options = std::make_shared<InfoOptions>();
     command->add_option("IN", options->input, "A .gltf or .glb file")->required()->type_name("");
-    command->add_flag("--json", options->json, "Report as JSON");
+    auto* json = command->add_flag("--json", options->json, "Report as JSON");
+    command
+        ->add_flag("--materials", options->materials, "Only the names of the materials, one a line")
+        ->excludes(json);
     command->callback([options, &chosen] { chosen = [options] { return run_info(*options); }; });
 }
 

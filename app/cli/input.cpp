@@ -29,47 +29,67 @@ PresetRequest preset_request(std::string_view text) {
             .material = std::string(text.substr(at + 1))};
 }
 
-KnobSetting knob_setting(const std::string& text) {
+KnobRequest knob_request(const std::string& text) {
     const std::size_t equals = text.find('=');
-    KnobSetting setting{.id = text.substr(0, equals)};
+    const std::string name = text.substr(0, equals);
+    const std::size_t slash = name.rfind('/');
+    KnobRequest request;
+    if (slash != std::string::npos) request.preset = name.substr(0, slash);
+    request.setting.id = name.substr(slash == std::string::npos ? 0 : slash + 1);
     const char* const from = text.data() + (equals == std::string::npos ? 0 : equals + 1);
     const char* const to = text.data() + text.size();
-    const auto [end, error] = std::from_chars(from, to, setting.value);
+    const auto [end, error] = std::from_chars(from, to, request.setting.value);
     if (equals == std::string::npos || error != std::errc() || end != to)
         throw CLI::ValidationError(
-            "--knob", fmt::format("'{}' is no knob and number such as wear=0.7", text));
-    return setting;
+            "--knob",
+            fmt::format("'{}' is no knob and number such as rust=0.7 or rusted-iron/rust=0.7",
+                        text));
+    return request;
 }
 
-/// The settings of knobs that the preset has.
-std::vector<KnobSetting> own_settings(const Preset& preset,
-                                      const std::vector<KnobSetting>& settings) {
+/// Whether the knob is one of the preset that was asked for.
+bool is_of(const KnobRequest& knob, const PresetRequest& request, const Preset& preset) {
+    const bool named = knob.preset.empty() || knob.preset == request.preset ||
+                       knob.preset == preset.id ||
+                       knob.preset == request.preset + "@" + request.material;
+    return named && std::any_of(preset.knobs.begin(), preset.knobs.end(),
+                                [&](const PresetKnob& own) { return own.id == knob.setting.id; });
+}
+
+/// The settings of the preset's knobs; those that name it are last, which makes them count.
+/// `used` notes which of the knobs they are.
+std::vector<KnobSetting> own_settings(const Preset& preset, const PresetRequest& request,
+                                      const std::vector<KnobRequest>& knobs,
+                                      std::vector<bool>& used) {
     std::vector<KnobSetting> own;
-    for (const KnobSetting& setting : settings)
-        if (std::any_of(preset.knobs.begin(), preset.knobs.end(),
-                        [&](const PresetKnob& knob) { return knob.id == setting.id; }))
-            own.push_back(setting);
+    for (const bool named : {false, true})
+        for (std::size_t i = 0; i < knobs.size(); ++i)
+            if (knobs[i].preset.empty() != named && is_of(knobs[i], request, preset)) {
+                own.push_back(knobs[i].setting);
+                used[i] = true;
+            }
     return own;
 }
 
 /// Reads the presets and turns their knobs.
 Result<std::vector<io::PresetFile>> turned_presets(const PresetRequests& requests) {
     std::vector<io::PresetFile> files;
-    std::vector<KnobSetting> unused = requests.knobs;
+    std::vector<bool> used(requests.knobs.size(), false);
     for (const PresetRequest& request : requests.presets) {
         auto file = io::find_preset(request.preset);
         if (!file) return passed_on(file);
-        const std::vector<KnobSetting> own = own_settings(file->preset, requests.knobs);
+        const auto own = own_settings(file->preset, request, requests.knobs, used);
         auto layers = turned_layers(file->preset, own);
         if (!layers) return passed_on(layers);
         if (!own.empty()) file->preset.layers = std::move(*layers);
-        for (const KnobSetting& setting : own)
-            std::erase_if(unused, [&](const KnobSetting& each) { return each.id == setting.id; });
         files.push_back(std::move(*file));
     }
-    if (!unused.empty())
-        return failure("no preset that was given has a knob {}",
-                       quoted_for_message(unused.front().id));
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (const KnobRequest& knob = requests.knobs[i]; !used[i])
+            return failure(
+                "no preset that was given {}has a knob {}",
+                knob.preset.empty() ? "" : fmt::format("as {} ", quoted_for_message(knob.preset)),
+                quoted_for_message(knob.setting.id));
     return files;
 }
 
@@ -101,14 +121,15 @@ void add_preset_options(CLI::App& app, PresetRequests& requests) {
         for (const std::string& text : texts) requests.presets.push_back(preset_request(text));
     };
     const auto read_knobs = [&requests](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts) requests.knobs.push_back(knob_setting(text));
+        for (const std::string& text : texts) requests.knobs.push_back(knob_request(text));
     };
     app.add_option_function<std::vector<std::string>>(
            "--knob", read_knobs,
-           "Turn a knob of the presets, 0 to 1 ('patina preset list --json' says which there\n"
-           "are); may be given several times")
+           "Turn a knob of the presets, or of one of them, 0 to 1 ('patina preset knobs' says\n"
+           "which there are); may be given several times: rust=0.3,\n"
+           "rusted-iron/rust=0.7, rusted-iron@Body/rust=0.7")
         ->allow_extra_args(false)
-        ->type_name("NAME=VALUE");
+        ->type_name("[PRESET/]NAME=VALUE");
     app.add_option_function<std::vector<std::string>>(
            "--preset,--material-preset", read,
            "A preset for the material of that name, or for all: the name of one that ships\n"

@@ -30,17 +30,23 @@ struct PresetRequest {
     std::string material;  ///< empty: every material
 };
 
+/// `[PRESET/]KNOB=VALUE` as it was typed after --knob.
+struct KnobRequest {
+    std::string preset;  ///< as after --preset, with or without its material; empty: every preset
+    KnobSetting setting;
+};
+
 /// The presets that a command lays on, and how their knobs are turned.
 struct PresetRequests {
     std::vector<PresetRequest> presets;
-    std::vector<KnobSetting> knobs;
+    std::vector<KnobRequest> knobs;
 };
 
-/// `--preset NAME[@MATERIAL]` and `--knob NAME=VALUE`, which may be given several times.
+/// `--preset NAME[@MATERIAL]` and `--knob [PRESET/]NAME=VALUE`, which may be given several times.
 void add_preset_options(CLI::App& app, PresetRequests& requests);
 
 /// Lays each preset in turn on top of the stacks that it names. A knob is turned in every preset
-/// that has it; one that none has is a failure.
+/// that has it, or in the one that it names, which counts for more; one that none has is a failure.
 Status apply_presets(io::LoadedDocument& loaded, const PresetRequests& requests);
 
 }  // namespace patina::cli

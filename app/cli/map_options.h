@@ -9,7 +9,8 @@
 
 namespace patina::cli {
 
-/// `--map-format`, `--bits`, `--packing`. What does not go together is found by check_map_options.
+/// `--map-format`, `--jpg-quality`, `--png-level`, `--bits`, `--packing`. What does not go together
+/// is found by check_map_options.
 void add_map_options(CLI::App& app, io::MapExportOptions& options);
 
 /// `--size` of baked maps.

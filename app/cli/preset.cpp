@@ -7,10 +7,8 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/input.h"
-#include "core/files.h"
 #include "core/json.h"
 #include "document/preset.h"
-#include "document/record.h"
 #include "io/preset_library.h"
 
 namespace patina::cli {
@@ -30,7 +28,7 @@ Json to_json(const io::PresetFile& file) {
 }
 
 Status run_list(bool json) {
-    const auto presets = io::shipped_presets();
+    const auto presets = io::all_presets();
     if (!presets) return passed_on(presets);
     if (json) {
         Json list = Json::array();
@@ -44,7 +42,7 @@ Status run_list(bool json) {
 }
 
 void add_list(CLI::App& app, Command& chosen) {
-    auto* command = app.add_subcommand("list", "The presets that ship");
+    auto* command = app.add_subcommand("list", "The presets that ship and your own");
     auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "Report as JSON");
     command->callback([json, &chosen] { chosen = [json] { return run_list(*json); }; });
@@ -61,10 +59,37 @@ Status run_show(const std::string& name) {
 void add_show(CLI::App& app, Command& chosen) {
     auto* command = app.add_subcommand("show", "Print a preset as JSON");
     auto name = std::make_shared<std::string>();
-    command->add_option("PRESET", *name, "The name of one that ships, or a file")
+    command->add_option("PRESET", *name, "The name of one in the list, or a file")
         ->required()
         ->type_name("");
     command->callback([name, &chosen] { chosen = [name] { return run_show(*name); }; });
+}
+
+/// The knobs of those presets, or of all that ship.
+Status run_knobs(const std::vector<std::string>& names) {
+    std::vector<io::PresetFile> files;
+    for (const std::string& name : names) {
+        auto file = io::find_preset(name);
+        if (!file) return passed_on(file);
+        files.push_back(std::move(*file));
+    }
+    if (names.empty()) {
+        auto shipped = io::shipped_presets();
+        if (!shipped) return passed_on(shipped);
+        files = std::move(*shipped);
+    }
+    for (const io::PresetFile& file : files)
+        for (const PresetKnob& knob : file.preset.knobs)
+            fmt::print("{:<32} {:<5} {}\n", file.preset.id + "/" + knob.id, knob.value, knob.name);
+    return {};
+}
+
+void add_knobs(CLI::App& app, Command& chosen) {
+    auto* command = app.add_subcommand("knobs", "What --knob can turn, and where it stands");
+    auto names = std::make_shared<std::vector<std::string>>();
+    command->add_option("PRESETS", *names, "Names of those that ship, or files; all if unset")
+        ->type_name("");
+    command->callback([names, &chosen] { chosen = [names] { return run_knobs(*names); }; });
 }
 
 struct PresetExportOptions {
@@ -73,31 +98,6 @@ struct PresetExportOptions {
     std::string material;
     Preset preset;
 };
-
-/// The file name of an image that goes beside the preset: named by its content.
-std::string image_file_name(const ImageAsset& image) {
-    const bool jpeg = image.mime_type == "image/jpeg";
-    return to_hex(image.hash) + (jpeg ? ".jpg" : ".png");
-}
-
-/// Names the images that the layers read and writes them beside the preset.
-Status export_images(const Document& document, const std::filesystem::path& folder,
-                     Preset& preset) {
-    for (const Hash128& hash : images_of(preset.layers)) {
-        const auto found = document.images.find(hash);
-        if (found == document.images.end())
-            return failure("an image that the stack reads is missing from the file");
-        const ImageAsset& image = *found->second;
-        preset.images.push_back({.file = image_file_name(image), .hash = hash});
-        const auto encoded = image.encoded.bytes();
-        if (!encoded) return failure("an image that the stack reads has no bytes");
-        if (const Status written =
-                write_file_atomically(folder / preset.images.back().file, std::span(*encoded));
-            !written)
-            return written;
-    }
-    return {};
-}
 
 Status run_preset_export(const PresetExportOptions& options) {
     const auto loaded = opened_document(options.input, {});
@@ -111,13 +111,8 @@ Status run_preset_export(const PresetExportOptions& options) {
     preset.layers = materials->front()->stack;
     if (preset.id.empty()) preset.id = options.output.stem().string();
     if (preset.name.empty()) preset.name = materials->front()->name;
-    const auto images = export_images(*loaded->document, options.output.parent_path(), preset);
-    if (!images) return images;
-    const std::string text = preset_to_json(preset);
-    // What was given on the command line may not be fit for a preset.
-    if (const auto valid = preset_from_json(text, options.output.string()); !valid)
-        return passed_on(valid);
-    return write_file_atomically(options.output, text);
+    const auto written = io::write_preset(options.output, preset, *loaded->document);
+    return written ? Status() : passed_on(written);
 }
 
 void add_export_preset(CLI::App& app, Command& chosen) {
@@ -171,16 +166,19 @@ void add_check_presets(CLI::App& app, Command& chosen) {
 }  // namespace
 
 void add_preset(CLI::App& app, Command& chosen) {
-    auto* command = app.add_subcommand("preset", "The material library: list, show, export, check");
+    auto* command =
+        app.add_subcommand("preset", "The material library: list, show, knobs, export, check");
     command->require_subcommand(1);
     command->footer(
         "Examples:\n"
         "  patina preset list\n"
         "  patina preset show rusted-iron > mine.json\n"
+        "  patina preset knobs rusted-iron\n"
         "  patina preset check mine.json\n"
         "  patina preset export painted.glb --material Body --licence CC0-1.0 -o worn-paint.json");
     add_list(*command, chosen);
     add_show(*command, chosen);
+    add_knobs(*command, chosen);
     add_export_preset(*command, chosen);
     add_check_presets(*command, chosen);
 }

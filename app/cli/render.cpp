@@ -5,12 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/input.h"
 #include "cli/progress_bar.h"
+#include "cli/render_conflicts.h"
 #include "cli/render_options.h"
-#include "core/log.h"
+#include "cli/render_pictures.h"
 #include "io/image_file.h"
-#include "render/environment.h"
 
 namespace patina::cli {
 namespace {
@@ -29,83 +28,21 @@ constexpr const char* kRenderFooter =
     "      -o shiny.png\n"
     "  patina render model.glb --channel roughness --size 512x512 -o roughness.png\n"
     "  patina render model.glb --channel strip --size 320x240 -o channels.png\n"
+    "  patina render model.glb --channel all --split 0.5 --size 640x480 --samples 64\n"
+    "      -o everything.png\n"
+    "  patina render model.glb --channel final,normal,diffuse-ambient --columns 1 -o three.png\n"
     "  patina render model.glb --environment sky --sun-elevation 8 -o evening.png\n"
     "  patina render model.glb --turntable 36 -o spin.png\n"
+    "  patina render model.glb --split 0.5 --left phong --against blinn-phong -o two-phongs.png\n"
+    "  patina render model.glb --shading two-views --against-terms lecture -o gltf-lecture.png\n"
     "  patina render model.glb --shading difference --against pbr --against-path forward -o d.png\n"
+    "  patina render model.glb --shading difference --difference-range 0.2 --samples 256 -o d.png\n"
     "  patina render model.glb --light "
     "'{\"kind\":\"sphere\",\"position\":[1,2,1],\"radius\":0.3}'\n"
     "      --samples 256 -o lamp.png\n"
+    "  patina render model.glb --camera 0 -o as-the-file-looks.png\n"
     "  patina render model.glb --environment garden.hdr --background environment\n"
     "      --camera-position 2,1,3 --camera-target 0,0.5,0 --fov-y 35 --samples 64 -o picture.exr";
-
-Result<ImagePtr> environment_map(const std::filesystem::path& path) {
-    const auto bytes = read_file(path);
-    if (!bytes) return passed_on(bytes);
-    auto map = io::decode_image(*bytes, path.string());
-    if (!map) return failure("{}: {}", quoted_for_message(path.string()), map.error().message);
-    return map;
-}
-
-/// Puts the environment that was asked for into the document or the request.
-Status set_environment(const RenderOptions& options, io::LoadedDocument& loaded,
-                       render::OffscreenRequest& request) {
-    Document document = *loaded.document;
-    std::string& name = document.environment.name;
-    if (render::is_builtin_environment(options.environment)) {
-        name = options.environment;
-    } else if (!options.environment.empty()) {
-        const auto map = environment_map(options.environment);
-        if (!map) return passed_on(map);
-        request.environment = *map;
-    } else if (!render::is_builtin_environment(name)) {
-        // A file may not make this program read another one.
-        log_warning("{} was lit by '{}': give it with --environment; the studio is used",
-                    quoted_for_message(options.input.string()), quoted_for_message(name));
-        name = render::kBuiltinEnvironments.front().id;
-    }
-    if (options.sun_elevation_degrees) {
-        if (request.environment || name != render::kSkyEnvironment)
-            return failure("--sun-elevation moves the sun of the sky: add --environment {}",
-                           render::kSkyEnvironment);
-        document.environment.sun_elevation_degrees = *options.sun_elevation_degrees;
-    }
-    loaded.document = std::make_shared<const Document>(std::move(document));
-    return {};
-}
-
-void set_camera(const RenderOptions& options, const Document& document,
-                render::OffscreenRequest& request) {
-    render::Camera& camera = request.view.camera;
-    if (options.camera_up) camera.up = *options.camera_up;
-    if (!options.camera_position) return;
-    request.automatic_camera.reset();
-    camera.position = *options.camera_position;
-    camera.target = options.camera_target.value_or(document.scene->bounds_world.center());
-}
-
-/// Draws what was asked for, and hands each picture to `each`.
-Status draw_pictures(const RenderOptions& options, const render::EachPicture& each,
-                     const Progress& progress) {
-    auto loaded = changed_document(options.input, options.changes, options.work.quiet, progress);
-    if (!loaded) return passed_on(loaded);
-    render::OffscreenRequest request = options.request;
-    request.environment_cache = render::user_environment_cache();
-    request.linear = io::image_format_of(options.output) == io::ImageFormat::Exr;
-    if (const Status lit = set_environment(options, *loaded, request); !lit) return lit;
-    set_camera(options, *loaded->document, request);
-    for (const auto& change : options.term_changes) {
-        change(request.view.left.terms);
-        change(request.view.right.terms);
-    }
-    if (options.against_path) request.view.right.path = *options.against_path;
-    if (!options.strip)
-        return render::render_turntable_offscreen(*loaded->document, *loaded->images, request,
-                                                  options.turntable.value_or(1), each, progress);
-    auto strip = render::render_strip_offscreen(*loaded->document, *loaded->images, request,
-                                                request.size, progress);
-    if (!strip) return passed_on(strip);
-    return each(0, *strip);
-}
 
 /// The file of one picture of a turntable: spin.png becomes spin-000.png.
 std::filesystem::path output_path(const RenderOptions& options, int index) {
@@ -149,6 +86,11 @@ void print(const nlohmann::ordered_json& pictures, const RenderOptions& options)
                        picture["width"].get<int>(), picture["height"].get<int>(),
                        picture["bake_ms"].get<double>() + picture["environment_ms"].get<double>() +
                            picture["render_ms"].get<double>());
+        if (is_heat_map(options))
+            fmt::print(
+                "black is no difference, pale yellow one of {:g} and more, in exposed "
+                "luminance\n",
+                options.request.view.difference_range);
     }
 }
 
@@ -159,6 +101,9 @@ Status run_render(const RenderOptions& options) {
     const auto write = [&](int index, render::RenderedImage& picture) {
         const std::filesystem::path path = output_path(options, index);
         pictures.push_back(to_json(path, picture));
+        if (is_heat_map(options))
+            pictures.back()["difference_range"] = options.request.view.difference_range;
+        if (const auto sheet = sheet_of(options)) pictures.back()["cells"] = to_json(*sheet);
         return io::write_image_file(path, picture.image);
     };
     {
@@ -180,7 +125,11 @@ void add_render(CLI::App& app, Command& chosen) {
     add_change_options(*command, options->changes);
     add_view_options(*command, *options);
     add_work_options(*command, options->work);
-    command->callback([options, &chosen] { chosen = [options] { return run_render(*options); }; });
+    command->callback([command, options, &chosen] {
+        if (const std::string_view conflict = conflict_in(*command, *options); !conflict.empty())
+            throw CLI::ValidationError(std::string(conflict));
+        chosen = [options] { return run_render(*options); };
+    });
 }
 
 }  // namespace patina::cli

@@ -34,7 +34,7 @@ constexpr std::array kTermSets = {TermSet{"gltf", {}}, TermSet{"lecture", render
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     render::View& view = options.request.view;
     add_size_option(command, "--size", options.request.size.width, options.request.size.height,
-                    "Size of the picture, or of each channel of the strip");
+                    "Size of the picture, or of each channel where several are shown");
     command
         .add_option("--samples", options.request.samples,
                     "Samples that are averaged; from 64 on the environment is sampled too")
@@ -59,6 +59,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         command, "--tone-map", render::kToneMaps,
         [&view](const auto& entry) { view.tone_map = entry.value; }, "How light becomes colour")
         ->default_str("pbr-neutral");
+    command.add_flag("--wires", view.wires, "Draw the edges of the triangles over the picture");
 }
 
 /// Terms by themselves, which go over those of --terms.
@@ -159,12 +160,8 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
             view.compare = kind.compare;
             view.left.model = kind.left;
         },
-        "How surfaces are lit; the last three set PBR against --against")
+        "How surfaces are lit; the last three compare --left with --against")
         ->default_str("pbr");
-    add_choice_option(
-        command, "--against", render::kShadingModels,
-        [&view](const auto& entry) { view.right.model = entry.value; }, "What PBR is compared with")
-        ->default_str("phong");
     command.add_option("--divider", view.divider, "Where the split is, of the width")
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("0-1")
@@ -174,7 +171,6 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
             "--split",
             [&view](float divider) {
                 view.compare = render::CompareMode::Split;
-                view.left.model = render::ShadingModel::Pbr;
                 view.divider = divider;
             },
             "As --shading split --divider X")
@@ -186,11 +182,6 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
         "How the picture is made: the same shading, at another cost")
         ->default_str("deferred");
     add_choice_option(
-        command, "--against-path", render::kRenderPaths,
-        [&options](const auto& entry) { options.against_path = entry.value; },
-        "How the one that is compared is made; as --path if unset")
-        ->type_name("deferred|forward");
-    add_choice_option(
         command, "--terms", kTermSets,
         [&view](const TermSet& set) { view.left.terms = view.right.terms = set.terms; },
         "The terms of PBR; the lecture's lack 1/pi and energy balance")
@@ -199,22 +190,79 @@ void add_shading_options(CLI::App& command, RenderOptions& options) {
     add_phong_options(command, options);
 }
 
-/// --channel takes a channel's id or "strip" for ten of them side by side.
-void add_channel_option(CLI::App& command, RenderOptions& options) {
-    std::string ids = "strip";
+/// What stands against what in a comparison.
+void add_side_options(CLI::App& command, RenderOptions& options) {
+    render::View& view = options.request.view;
+    add_choice_option(
+        command, "--left", render::kShadingModels,
+        [&view](const auto& entry) { view.left.model = entry.value; },
+        "How the left side of a comparison is lit")
+        ->default_str("pbr");
+    add_choice_option(
+        command, "--against", render::kShadingModels,
+        [&view](const auto& entry) { view.right.model = entry.value; }, "How the right side is lit")
+        ->default_str("phong, or pbr with --against-terms");
+    add_choice_option(
+        command, "--against-terms", kTermSets,
+        [&command, &options](const TermSet& set) {
+            options.against_terms = set.terms;
+            if (command.count("--against") == 0)
+                options.request.view.right.model = render::ShadingModel::Pbr;
+        },
+        "The terms of its PBR; --terms and those by themselves are then the left side's alone");
+    add_choice_option(
+        command, "--against-path", render::kRenderPaths,
+        [&options](const auto& entry) { options.against_path = entry.value; },
+        "How the right side is made; as --path if unset");
+}
+
+void add_difference_options(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--difference-range", options.request.view.difference_range,
+                    "The difference of exposed luminance that is the top of the heat map")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->type_name("X")
+        ->capture_default_str();
+}
+
+/// What one word of --channel stands for.
+std::vector<render::ChannelView> channels_named(const std::string& word) {
+    const std::size_t count = word == "strip" ? render::kStripChannelCount
+                              : word == "all" ? render::kChannelViews.size()
+                                              : 0;
+    std::vector<render::ChannelView> channels;
+    for (std::size_t i = 0; i < count; ++i) channels.push_back(render::kChannelViews[i].view);
+    if (const auto channel = render::channel_view_from_id(word)) channels.push_back(*channel);
+    if (channels.empty())
+        throw CLI::ValidationError("--channel", fmt::format("'{}' is no channel", word));
+    return channels;
+}
+
+/// --channel takes ids of channels, "strip" for the editor's ten and "all".
+void add_channel_options(CLI::App& command, RenderOptions& options) {
+    std::string ids = "strip|all";
     for (const render::ChannelViewInfo& entry : render::kChannelViews)
         ids += fmt::format("|{}", entry.id);
-    const auto choose = [&options](const std::string& id) {
-        options.strip = id == "strip";
-        if (options.strip) return;
-        const auto channel = render::channel_view_from_id(id);
-        if (!channel)
-            throw CLI::ValidationError("--channel", fmt::format("'{}' is no channel", id));
-        options.request.view.channel = *channel;
+    const auto choose = [&options](const std::vector<std::string>& words) {
+        for (const std::string& word : words)
+            for (const render::ChannelView channel : channels_named(word))
+                options.channels.push_back(channel);
+        options.request.view.channel = options.channels.front();
     };
-    command.add_option_function<std::string>("--channel", choose, "One channel, or ten in a strip")
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--channel", choose,
+            "One channel, or several with commas between them: those in one picture, each with\n"
+            "its name, up to ten in a row; strip is the first ten")
+        ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name(ids)
         ->default_str("final");
+    command.add_option("--columns", options.columns, "Channels in a row of that picture")
+        ->check(CLI::Range(1, render::kChannelViewCount))
+        ->type_name("N");
+    add_off_flag(command, "--no-labels", options.labels,
+                 "Write nothing on pictures: no names of channels, no scale of a difference");
 }
 
 void add_light_options(CLI::App& command, RenderOptions& options) {
@@ -243,56 +291,69 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("X")
         ->capture_default_str();
-    command.add_flag("!--no-normal-filter", view.filter_normals,
-                     "Leave out of roughness what of normal maps is finer than a pixel; from 64 "
-                     "samples on it is left out anyway");
-    command.add_flag("!--no-reflection-occlusion", view.occlude_reflections,
-                     "Hold mirrored light back by the occlusion map as much as diffuse light, and "
-                     "mirror what lies below the surface");
-    command.add_flag("!--no-ground-shadow", view.ground_shadow,
-                     "Leave the floor or ground of the background without the model's shadow");
-    command.add_flag("!--no-shadows", view.shadows,
-                     "Let suns of the environment, the strongest lamps and the light of the "
-                     "traditional models cast none");
+    add_off_flag(command, "--no-normal-filter", view.filter_normals,
+                 "Leave out of roughness what of normal maps is finer than a pixel; from 64 "
+                 "samples on it is left out anyway");
+    add_off_flag(command, "--no-reflection-occlusion", view.occlude_reflections,
+                 "Hold mirrored light back by the occlusion map as much as diffuse light, and "
+                 "mirror what lies below the surface");
+    add_off_flag(command, "--no-ground-shadow", view.ground_shadow,
+                 "Leave the floor or ground of the background without the model's shadow");
+    add_off_flag(command, "--no-shadows", view.shadows,
+                 "Let suns of the environment, the strongest lamps and the light of the "
+                 "traditional models cast none");
 }
 
 void add_background_option(CLI::App& command, RenderOptions& options) {
-    render::Background& background = options.request.view.background;
-    const auto choose = [&background](const std::string& text) {
+    const auto choose = [&options](const std::string& text) {
         if (const auto color = html_color(text)) {
-            background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
+            options.background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
             return;
         }
         const auto* choice = render::choice_from_id(render::kBackgrounds, text);
         if (choice == nullptr || choice->value == render::Background::Kind::Color)
             throw CLI::ValidationError("--background", fmt::format("'{}' is no background", text));
-        background.kind = choice->value;
+        options.background = {.kind = choice->value};
     };
-    command.add_option_function<std::string>("--background", choose, "What is behind the model")
+    command
+        .add_option_function<std::string>(
+            "--background", choose,
+            "What is behind the model. The studio's backdrop and a colour are as on a screen, no\n"
+            "light of the scene, so that an .exr has them only where they are asked for")
         ->type_name("studio|environment|blurred|none|#rrggbb")
-        ->default_str("studio");
+        ->default_str("studio, or none in an .exr");
+}
+
+void add_projection_options(CLI::App& command, RenderOptions& options) {
+    auto* fov =
+        command.add_option("--fov-y", options.fov_y_degrees, "Field of view from top to bottom")
+            ->check(CLI::Range(1.0, 160.0))
+            ->type_name("DEG")
+            ->default_str("30, or as --camera has it");
+    command
+        .add_option("--orthographic", options.orthographic_height,
+                    "No perspective: metres from the bottom of the picture to its top")
+        ->check(CLI::PositiveNumber)
+        ->type_name("HEIGHT")
+        ->excludes(fov);
 }
 
 void add_camera_options(CLI::App& command, RenderOptions& options) {
+    auto* camera = command
+                       .add_option("--camera", options.camera,
+                                   "A camera of the file, by its name or the number that 'patina "
+                                   "info' lists it with")
+                       ->type_name("NAME");
     auto* position = add_vector_option(command, "--camera-position", options.camera_position,
-                                       "Where the camera stands; it frames the scene if unset");
+                                       "Where the camera stands; it frames the scene if unset")
+                         ->excludes(camera);
     add_vector_option(command, "--camera-target", options.camera_target,
                       "What it looks at; the middle of the scene if unset")
-        ->needs(position);
+        ->excludes(camera);
     add_vector_option(command, "--camera-up", options.camera_up, "What is up in the picture")
         ->default_str("0,1,0")
-        ->needs(position);
-    command
-        .add_option("--fov-y", options.request.view.camera.fov_y_degrees,
-                    "Field of view from top to bottom")
-        ->check(CLI::Range(1.0, 160.0))
-        ->type_name("DEG")
-        ->capture_default_str();
-    command
-        .add_option("--orthographic", options.request.view.camera.orthographic_height,
-                    "No perspective: metres from the bottom of the picture to its top")
-        ->check(CLI::PositiveNumber)
-        ->type_name("HEIGHT");
+        ->excludes(camera);
+    add_projection_options(command, options);
     command
         .add_option("--turntable", options.turntable,
                     "So many pictures all around the target: OUT-000.png, OUT-001.png ...")
@@ -303,7 +364,8 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
         [&options](const auto& entry) { options.request.automatic_camera = entry.value; },
         "From where the scene is framed")
         ->default_str("three-quarter")
-        ->excludes(position);
+        ->excludes(position)
+        ->excludes(camera);
 }
 
 }  // namespace
@@ -311,7 +373,9 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
 void add_view_options(CLI::App& command, RenderOptions& options) {
     add_picture_options(command, options);
     add_shading_options(command, options);
-    add_channel_option(command, options);
+    add_side_options(command, options);
+    add_difference_options(command, options);
+    add_channel_options(command, options);
     add_light_options(command, options);
     add_background_option(command, options);
     add_camera_options(command, options);

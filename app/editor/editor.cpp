@@ -74,6 +74,7 @@ class RootWindow {
 };
 
 Requests draw_panels(Ui& ui, const Layout& layout, const Shown& shown, ViewState& view) {
+    view.mask_entry_at_hand = {};
     Requests requests = draw_top_bar(ui, layout.top_bar, shown, view);
     draw_splitters(ui, layout, view.splitters);
     if (!layout.right.empty())
@@ -102,11 +103,12 @@ void take_keys(Ui& ui, Workspace& workspace, const Shown& shown) {
         return;
     ViewState& view = workspace.view();
     if (const auto channel = pressed_channel()) view.view.channel = *channel;
-    if (const auto action = pressed_action(); action && applies(*action, shown))
+    if (const auto action = pressed_action(ui.focus); action && applies(*action, shown))
         workspace.perform(*action);
-    if (view.view.compare == render::CompareMode::Split && !ui.focus.arrows_taken())
+    if (view.view.compare == render::CompareMode::Split)
         view.view.divider = std::clamp(
-            view.view.divider + 0.01f * static_cast<float>(pressed_divider_step()), 0.0f, 1.0f);
+            view.view.divider + 0.01f * static_cast<float>(pressed_divider_step(ui.focus)), 0.0f,
+            1.0f);
     if (pressed_escape() && !view.layer_drag.moving && !view.drag_to_model.moving) {
         ui.focus.leave();
         view.tool = ViewportTool::Move;
@@ -125,6 +127,12 @@ void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
         requests.ask(*preset);
         workspace.carry_out(std::move(requests));
     }
+    if (const auto preset = workspace.save_preset_dialog().draw(ui, shown)) {
+        Requests requests;
+        requests.ask(*preset);
+        workspace.carry_out(std::move(requests));
+    }
+    workspace.export_dialog().draw(ui);
     workspace.question().draw(ui);
     workspace.keys().draw(ui);
     workspace.log().draw(ui, shown.log);
@@ -230,7 +238,7 @@ std::string title_of(Session& session) {
 }
 
 Result<Window> open_window(const Options& options, const Settings& settings) {
-    Window::Description description{.title = "Patina"};
+    Window::Description description{.title = "Patina", .report_errors = options.ui_map.has_value()};
     if (settings.window_width > 0) description.width = settings.window_width;
     if (settings.window_height > 0) description.height = settings.window_height;
     if (options.window_width > 0) description.width = options.window_width;

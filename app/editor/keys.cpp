@@ -63,11 +63,12 @@ constexpr std::array kBindings = {
 
 }  // namespace
 
-std::optional<Action> pressed_action() {
+std::optional<Action> pressed_action(const Focus& focus) {
     const ImGuiIO& io = ImGui::GetIO();
     for (const Binding& binding : kBindings)
         if (io.KeyCtrl == binding.control && io.KeyShift == binding.shift &&
-            io.KeyAlt == binding.alt && ImGui::IsKeyPressed(binding.key))
+            io.KeyAlt == binding.alt && ImGui::IsKeyPressed(binding.key) &&
+            !focus.is_taken(binding.key))
             return binding.action;
     return std::nullopt;
 }
@@ -82,10 +83,11 @@ std::optional<render::ChannelView> pressed_channel() {
     return std::nullopt;
 }
 
-int pressed_divider_step() {
-    const int right = ImGui::IsKeyPressed(GLFW_KEY_RIGHT) ? 1 : 0;
-    const int left = ImGui::IsKeyPressed(GLFW_KEY_LEFT) ? 1 : 0;
-    return right - left;
+int pressed_divider_step(const Focus& focus) {
+    const auto pressed = [&focus](int key) {
+        return ImGui::IsKeyPressed(key) && !focus.is_taken(key) ? 1 : 0;
+    };
+    return pressed(GLFW_KEY_RIGHT) - pressed(GLFW_KEY_LEFT);
 }
 
 bool pressed_escape() {

@@ -5,15 +5,19 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <cstdio>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <variant>
 
+#include "core/log.h"
 #include "render/window_target.h"
 
 namespace patina::editor {
@@ -58,8 +62,10 @@ struct Events {
 struct Window::State {
     GLFWwindow* handle = nullptr;
     Events events;
+    std::optional<render::WindowErrors> errors;
 
     ~State() {
+        errors.reset();
         if (ImGui::GetCurrentContext() != nullptr) {
             ImGui_ImplOpenGL3_Shutdown();
             ImGui_ImplGlfw_Shutdown();
@@ -85,10 +91,17 @@ GLFWwindow* try_window(const Window::Description& description, int context_api) 
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, description.report_errors ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     return glfwCreateWindow(description.width, description.height, description.title.c_str(),
                             nullptr, nullptr);
+}
+
+void report(std::string_view message) {
+    const std::string line = fmt::format("OpenGL: {}", message);
+    log_line(LogLevel::Error, line);
+    fmt::print(stderr, "patina: {}\n", line);
 }
 
 Events& events_of(GLFWwindow* handle) {
@@ -225,6 +238,7 @@ Result<Window> Window::open(const Description& description) {
     if (state->handle == nullptr)
         return failure("no window with OpenGL 4.1: {}; update the graphics driver", last_error());
     glfwMakeContextCurrent(state->handle);
+    if (description.report_errors) state->errors.emplace(report);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(state->handle, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->handle, &state->events);
@@ -300,6 +314,7 @@ void Window::end_frame() {
     ImGui::Render();
     render::draw_to_window();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (state_->errors) state_->errors->poll();
     glfwSwapBuffers(state_->handle);
 }
 

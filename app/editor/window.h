@@ -20,6 +20,9 @@ class Window {
         int width = 1600;
         int height = 900;
         std::string title;
+        /// What the driver finds wrong goes to the log and to the standard error stream, and each
+        /// call waits until it is known: for tests.
+        bool report_errors = false;
     };
     /// Makes the window with an EGL context where that works, else with the native kind, and makes
     /// it current. Also starts Dear ImGui.

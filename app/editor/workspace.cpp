@@ -24,6 +24,8 @@ void Workspace::carry_out_one(const Request& request) {
     if (!session_->has_document()) return;
     if (const auto* step = std::get_if<JumpToStep>(&request))
         session_->history().jump_to(step->position);
+    if (const auto* preset = std::get_if<SavePreset>(&request)) save_preset(*preset);
+    if (const auto* made = std::get_if<AddNewLayer>(&request)) add_layer_and_select(made->layer);
     if (const auto* added = std::get_if<AddImageAsLayer>(&request)) {
         const auto found = session_->document().images.find(added->image);
         if (found != session_->document().images.end())

@@ -9,11 +9,13 @@
 #include <memory>
 #include <string>
 
+#include "editor/dialogs/export_dialog.h"
 #include "editor/dialogs/file_dialog.h"
 #include "editor/dialogs/log_dialog.h"
 #include "editor/dialogs/palette.h"
 #include "editor/dialogs/preset_dialog.h"
 #include "editor/dialogs/question.h"
+#include "editor/dialogs/save_preset_dialog.h"
 #include "editor/session/session.h"
 #include "editor/state/requests.h"
 #include "editor/state/view_state.h"
@@ -30,11 +32,14 @@ class Workspace {
     Palette& palette() { return palette_; }
     QuestionDialog& question() { return question_; }
     PresetDialog& preset_dialog() { return preset_dialog_; }
+    SavePresetDialog& save_preset_dialog() { return save_preset_dialog_; }
+    ExportDialog& export_dialog() { return export_dialog_; }
     KeysDialog& keys() { return keys_; }
     LogDialog& log() { return log_; }
     bool dialog_open() const {
         return file_dialog_.is_open() || palette_.is_open() || question_.is_open() ||
-               preset_dialog_.is_open() || keys_.is_open() || log_.is_open();
+               preset_dialog_.is_open() || save_preset_dialog_.is_open() ||
+               export_dialog_.is_open() || keys_.is_open() || log_.is_open();
     }
 
     /// Edits first, in one go, then the rest.
@@ -69,6 +74,9 @@ class Workspace {
     void ask_save_as(std::function<void()> after);
     void ask_export();
     void ask_save_view();
+    void ask_export_folder(const io::MapExportOptions& options);
+    void ask_save_preset(bool whole_material);
+    void save_preset(const SavePreset& request);
     void ask_image(std::function<void(const ImageAssetPtr&)> use);
     void lay_textures(const std::filesystem::path& folder);
     void choose_image_for(const ChooseImageFor& request);
@@ -87,6 +95,8 @@ class Workspace {
     Palette palette_;
     QuestionDialog question_;
     PresetDialog preset_dialog_;
+    SavePresetDialog save_preset_dialog_;
+    ExportDialog export_dialog_;
     KeysDialog keys_;
     LogDialog log_;
     bool quitting_ = false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <utility>
 
 #include "document/edits.h"
@@ -68,18 +69,25 @@ void Workspace::ask_save_as(std::function<void()> after) {
 }
 
 void Workspace::ask_export() {
-    const auto chosen = [this](const fs::path& folder) {
+    export_dialog_.open(
+        [this](const io::MapExportOptions& options) { ask_export_folder(options); });
+}
+
+void Workspace::ask_export_folder(const io::MapExportOptions& options) {
+    const auto chosen = [this, options](const fs::path& folder) {
         const fs::path target = session_->export_target(folder);
         std::error_code error;
-        if (!fs::exists(target, error)) return session_->export_maps(folder);
-        question_.ask({.title = "Replace the model there?",
-                       .text = fmt::format("{} is in {} already. The copy of the model with its "
-                                           "baked maps would take its place.",
-                                           quoted_for_message(target.filename().string(), 80),
-                                           quoted_for_message(folder.string(), 120)),
-                       .answers = {{"Replace", [this, folder] { session_->export_maps(folder); }},
-                                   {"Choose another folder", [this] { ask_export(); }, true},
-                                   {"Cancel", {}}}});
+        if (!fs::exists(target, error)) return session_->export_maps(folder, options);
+        question_.ask(
+            {.title = "Replace the model there?",
+             .text = fmt::format("{} is in {} already. The copy of the model with its "
+                                 "baked maps would take its place.",
+                                 quoted_for_message(target.filename().string(), 80),
+                                 quoted_for_message(folder.string(), 120)),
+             .answers = {
+                 {"Replace", [this, folder, options] { session_->export_maps(folder, options); }},
+                 {"Choose another folder", [this, options] { ask_export_folder(options); }, true},
+                 {"Cancel", {}}}});
     };
     file_dialog_.open({.title = "Export the baked maps and a copy of the model to",
                        .button = "Export here",
@@ -215,10 +223,14 @@ void Workspace::lay_textures(const fs::path& folder) {
         edits.push_back(
             add_layer(*material, textures.layer, selected ? above(selected->id) : top_of_stack()));
         edit_and_select_new(in_one_step("Add textures " + textures.layer.name, std::move(edits)));
-        session_->toast(ToastKind::Done,
-                        fmt::format("{} of {} as a layer", counted(textures.images.size(), "map"),
-                                    textures.layer.name),
-                        "Show log", Action::ShowLog);
+        const bool hidden = at(textures.layer.channels, Channel::Opacity).enabled &&
+                            material->alpha_mode == AlphaMode::Opaque;
+        session_->toast(
+            hidden ? ToastKind::Note : ToastKind::Done,
+            fmt::format("{} of {} as a layer{}", counted(textures.images.size(), "map"),
+                        textures.layer.name,
+                        hidden ? "; set Alpha to Mask or Blend to see its opacity" : ""),
+            "Show log", Action::ShowLog);
     });
 }
 
@@ -276,6 +288,33 @@ void Workspace::apply_preset_by_id(const ApplyPreset& request) {
     io::PresetFile turned = *file;
     turned.preset.layers = *layers;
     lay_preset(turned, request.replace_stack);
+}
+
+void Workspace::ask_save_preset(bool whole_material) {
+    const MaterialPtr material = session_->selected_material(view_);
+    const LayerPtr layer = session_->selected_layer(view_);
+    if (!material || (!whole_material && !layer)) return;
+    const char* user = std::getenv("USER");
+    save_preset_dialog_.open({.whole_material = whole_material,
+                              .name = whole_material ? material->name : layer->name,
+                              .category = "Mine",
+                              .author = user == nullptr ? "" : user,
+                              .licence = "NOASSERTION",  // SPDX: nothing is said of it
+                              .description = "Made of " + material->name});
+}
+
+void Workspace::save_preset(const SavePreset& request) {
+    const MaterialPtr material = session_->selected_material(view_);
+    const LayerPtr layer = session_->selected_layer(view_);
+    if (!material || (!request.whole_material && !layer)) return;
+    Preset preset;
+    preset.name = request.name;
+    preset.category = request.category;
+    preset.author = request.author;
+    preset.licence = request.licence;
+    preset.description = request.description;
+    preset.layers = request.whole_material ? material->stack : std::vector<LayerPtr>{layer};
+    session_->save_preset(std::move(preset));
 }
 
 void Workspace::turn_knobs(const std::string& preset_id) {

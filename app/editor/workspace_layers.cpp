@@ -150,6 +150,8 @@ void Workspace::perform_layer(Action action) {
             return;
         case Action::ClearStack:
             return edit(replace_stack(*material, {}, "Remove all layers"));
+        case Action::SaveMaterialPreset:
+            return ask_save_preset(true);
         case Action::SelectLayerAbove:
             return select_neighbour(-1);
         case Action::SelectLayerBelow:
@@ -174,7 +176,10 @@ void Workspace::perform_layer(Action action) {
             if (layer->is_group()) edit(ungroup_layer(*material, *layer));
             return;
         case Action::RenameLayer:
-            view_.renaming_layer = layer->id;
+            if (view_.mask_entry_at_hand != MaskEntryId{})
+                view_.renaming_mask_entry = view_.mask_entry_at_hand;
+            else
+                view_.renaming_layer = layer->id;
             return;
         case Action::HideLayer:
             return edit(set_layer_visible(*material, *layer, !layer->visible));
@@ -182,6 +187,8 @@ void Workspace::perform_layer(Action action) {
             return edit(set_layer_clipped(*material, *layer, !layer->clipped));
         case Action::LockLayer:
             return edit(set_layer_locked(*material, *layer, !layer->locked));
+        case Action::SaveLayerPreset:
+            return ask_save_preset(false);
         case Action::MoveLayerUp:
             return move_selected(1);
         case Action::MoveLayerDown:

@@ -71,7 +71,7 @@ int plane_count(const AroundRecord& record, ChannelBits channels) {
     int planes = 0;
     for (const ChannelInfo& entry : kChannels)
         if ((channels & channel_bit(entry.channel)) != 0)
-            planes += component_count(entry.channel) + (record.depth > 0) + record.relief;
+            planes += component_count(entry.channel) + record.has_coverage() + record.relief;
     return planes;
 }
 
@@ -84,18 +84,21 @@ std::size_t bytes_of_rows(const AroundRecord& record, ChannelBits channels, int 
 /// along each row.
 class Preparation {
   public:
-    /// `wanted`: of the stack, where what is kept does not lie within a reference.
+    /// `wanted`: of the stack, or of the layer whose mask is kept.
     Preparation(const AroundJob& job, const AroundList& earlier, AroundPlanes& planes, int halo,
                 ChannelBits wanted)
         : job_(job), planes_(planes) {
         const int size = job.size;
         columns_ = grown(job.rect.x0, job.rect.x1, halo, size);
         read_columns_ = grown(job.rect.x0, job.rect.x1, halo + planes.reach(), size);
+        const AroundRecord& record = planes.record();
         run_ = {.program = job.program,
                 .images = job.images,
                 .wanted = job.program->with_needed(wanted),
                 .around = &earlier,
-                .stop = planes.record().begin};
+                .start = record.start,
+                .stop = record.begin};
+        if (record.of_mask) return;
         for (const CachePoint& point : job.caches)
             if (point.read && point.place.end <= run_.stop) run_.caches.push_back(point);
     }
@@ -131,6 +134,11 @@ class Preparation {
     void keep(const TileSpan& span, TilePlanes& tile) {
         const int depth = planes_.record().depth;
         const std::size_t bytes = static_cast<std::size_t>(span.count) * sizeof(float);
+        if (planes_.record().of_mask) {
+            float* const row = planes_.row(AroundRecord::kMaskChannel, 0, span.y);
+            std::memcpy(row + span.x, tile.mask(depth), bytes);
+            return;
+        }
         for (const ChannelInfo& entry : kChannels) {
             const Channel channel = entry.channel;
             if ((planes_.channels() & channel_bit(channel)) == 0) continue;
@@ -273,11 +281,11 @@ std::vector<int> halos_of(const ProgramData& program, int size) {
 
 /// A layer that looks around and is wanted.
 struct Reader {
-    std::size_t around = 0;           ///< index into ProgramData::around
-    ChannelBits channels = 0;         ///< that are kept
-    ChannelBits wanted_of_stack = 0;  ///< by which the run is to go
-    int halo = 0;                     ///< how far beyond what is asked for its result is read
-    int reach = 0;                    ///< and how far beyond that it reads
+    std::size_t around = 0;    ///< index into ProgramData::around
+    ChannelBits channels = 0;  ///< that are kept
+    ChannelBits runs_for = 0;  ///< by which the run is to go
+    int halo = 0;              ///< how far beyond what is asked for its result is read
+    int reach = 0;             ///< and how far beyond that it reads
     int beyond() const { return halo + reach; }
 };
 
@@ -292,10 +300,11 @@ std::vector<Reader> readers_of(const AroundJob& job) {
         const auto of_stack =
             static_cast<ChannelBits>((referred ? record.referring : record.channels) & wanted);
         if (of_stack == 0 || is_skipped(record, job.caches)) continue;
+        const ChannelBits kept = referred ? record.channels : of_stack;
         readers.push_back(
             {.around = i,
-             .channels = referred ? record.channels : of_stack,
-             .wanted_of_stack = of_stack,
+             .channels = record.of_mask ? channel_bit(AroundRecord::kMaskChannel) : kept,
+             .runs_for = record.of_mask ? record.channels : of_stack,
              .halo = halos[i],
              .reach = reach_of(program.adjustments[static_cast<std::size_t>(record.adjustment)],
                                job.size)});
@@ -329,7 +338,7 @@ AroundPass::AroundPass(AroundJob job) : job_(std::move(job)), list_(job_.program
             record, program.adjustments[static_cast<std::size_t>(record.adjustment)],
             reader.channels, job_.size, strip_rows_ + 2 * reader.beyond());
         steps_.push_back({*planes, reader.beyond(),
-                          Preparation(job_, list_, *planes, reader.halo, reader.wanted_of_stack)});
+                          Preparation(job_, list_, *planes, reader.halo, reader.runs_for)});
         list_[reader.around] = std::move(planes);
     }
 }
@@ -419,7 +428,7 @@ void adjust_around(const AroundTask& task) {
     const AroundPlanes& planes = *task.planes;
     const int components = component_count(task.channel);
     const int count = task.span.count;
-    const bool in_group = planes.record().depth > 0;
+    const bool in_group = planes.record().has_coverage();
     alignas(64) float coverage[kTileTexels];
     if (planes.adjustment().kind == AdjustmentKind::Warp) {
         const WarpedReader warped(task);

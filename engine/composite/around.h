@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Adjustments that look around (blur, sharpen, warp), and sources that read the relief below their
-/// layer. A tile alone cannot make them: before the tiles that are asked for are run, what lies
-/// below each such layer is composited for them and a halo of the layer's reach (and of those above
-/// it), and kept as float32 rows. A run that comes to the layer reads its neighbours there. A map
-/// is made strip by strip, from the top: only the rows around the strip at hand are kept. The
-/// borders of the texture meet.
+/// Adjustments that look around (blur, sharpen, warp), of channels and of masks, and sources that
+/// read the relief below their layer. A tile alone cannot make them: before the tiles that are
+/// asked for are run, what lies below each such layer is composited for them and a halo of the
+/// layer's reach (and of those above it), and kept as float32 rows. A run that comes to the layer
+/// reads its neighbours there. A map is made strip by strip, from the top: only the rows around the
+/// strip at hand are kept. The borders of the texture meet.
 
 #include <memory>
 
@@ -60,7 +60,7 @@ class AroundPlanes {
     /// How many planes of a channel are blurred: its components, and in a group its coverage last.
     /// For relief one follows with the heights as they are.
     int blurred_planes_of(Channel channel) const {
-        return component_count(channel) + (record_.depth > 0 ? 1 : 0);
+        return component_count(channel) + (record_.has_coverage() ? 1 : 0);
     }
     std::size_t size_bytes() const { return memory_.size() * sizeof(float); }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "composite/composite_rect.h"
+#include "core/free_memory.h"
 
 namespace patina {
 
@@ -23,6 +26,10 @@ Result<MapSet> bake_maps(const Program& program, ImageProvider& images, int size
     const Result<BoundImages> bound = images_for_bake(program.data(), channels, size, images);
     if (!bound) return passed_on(bound);
 
+    const auto side = static_cast<std::uint64_t>(size);
+    const Status fits = check_free_memory(side * side * 4 * wanted.size(),
+                                          fmt::format("maps of {} texels a side", size));
+    if (!fits) return passed_on(fits);
     CompositeJob job{
         .program = &program.data(), .images = &*bound, .size = size, .rect = {0, 0, size, size}};
     MapSet result{.size = size};

@@ -45,8 +45,20 @@ class Emitter {
     void note_relief(const Source& source);
     void note_looking_around(const LayerTerms& terms, int depth);
     void emit_height(const LayerTerms& terms, Operation like);
-    std::int32_t emit_reference(const ReferenceSource& source, Reading reading, Operation like);
+    std::int32_t emit_content(const LayerTerms& content, Operation like);
+    /// What is read of a layer by itself; null terms: there is nothing of it.
+    struct Referred {
+        const LayerTerms* terms = nullptr;
+        Channel channel = Channel::Opacity;
+        bool of_mask = false;  ///< what is covered of the channel, instead of its value
+    };
+    std::int32_t emit_reference(const ReferenceSource& source, Reading reading,
+                                const Operation& like);
+    std::int32_t emit_referred(const Referred& referred, Reading reading, Operation like);
     std::int32_t emit_mask(const MaskTerm& mask, Operation like);
+    Operation mask_source(const MaskEntry& entry, Operation like);
+    Operation mask_adjustment(const AdjustmentSettings& adjustment, std::int32_t start,
+                              Operation like);
     void emit_blend(const Contribution& contribution, Channel channel, Operation like,
                     const StackState& state, const StackState& children);
     /// `like`: the operation that is going to read the source.
@@ -185,27 +197,53 @@ void Emitter::emit_recoding(const LayerTerms& terms, const Operation& like, Stac
     }
 }
 
-/// The mask of the layer times that of what it is clipped to; 1 where there is none and heights
-/// make one. Returns what emit_mask does, of the last one; -1 where there is none.
+/// The mask of the layer times that of what it is clipped to and what the content there covers; 1
+/// where there is none and heights make one. Returns what emit_mask does, of the last one; -1 where
+/// there is none.
 std::int32_t Emitter::emit_masks(const LayerTerms& terms, const Operation& like) {
-    if (!terms.mask.varies() && !terms.clip.varies()) {
-        if (terms.height_blend == nullptr) return -1;
+    std::int32_t end = -1;
+    const auto join = [&](const auto& emit) {
+        const bool first = end < 0;
+        Operation step = like;
+        if (!first) {
+            // Past it: a mask alone is nothing to leave out.
+            program_.operations[static_cast<std::size_t>(end)].jump = end + 1;
+            step.code = OpCode::MaskKeep;
+            program_.operations.push_back(step);
+        }
+        end = emit();
+        if (first) return;
+        step.code = OpCode::MaskClip;
+        program_.operations.push_back(step);
+    };
+    if (terms.clip_content != nullptr)
+        join([&] { return emit_content(*terms.clip_content, like); });
+    if (terms.clip.varies()) join([&] { return emit_mask(terms.clip, like); });
+    if (terms.mask.varies()) join([&] { return emit_mask(terms.mask, like); });
+    if (end < 0 && terms.height_blend != nullptr) {
         Operation begin = like;
         begin.code = OpCode::MaskBegin;
         program_.operations.push_back(begin);
-        return -1;
     }
-    if (!terms.mask.varies()) return emit_mask(terms.clip, like);
-    if (!terms.clip.varies()) return emit_mask(terms.mask, like);
-    emit_mask(terms.clip, like);
-    program_.operations.back().jump = here();  // past it: a mask alone is nothing to leave out
-    Operation step = like;
-    step.code = OpCode::MaskKeep;
-    program_.operations.push_back(step);
-    const std::int32_t end = emit_mask(terms.mask, like);
-    step.code = OpCode::MaskClip;
-    program_.operations.push_back(step);
     return end;
+}
+
+/// What a layer's content covers of its one channel, as a mask of one entry.
+std::int32_t Emitter::emit_content(const LayerTerms& content, Operation like) {
+    const auto covered = std::find_if(kChannels.begin(), kChannels.end(), [&](const auto& entry) {
+        return at(content.channels, entry.channel).has_value();
+    });
+    SourceRecord record = source_record(ReferenceSource{}, Reading::Scalar);
+    record.reference = emit_referred(
+        {.terms = &content, .channel = covered->channel, .of_mask = true}, Reading::Scalar, like);
+    program_.sources.push_back(std::move(record));
+    like.code = OpCode::MaskEntry;
+    like.mode = BlendMode::Replace;
+    like.amount = 1.0f;
+    like.flags |= kFirst | kLast;
+    like.source = static_cast<std::int32_t>(program_.sources.size()) - 1;
+    program_.operations.push_back(like);
+    return here() - 1;
 }
 
 void Emitter::note_relief(const Source& source) {
@@ -256,10 +294,11 @@ void Emitter::emit_height(const LayerTerms& terms, Operation like) {
 
 /// Returns the index of the last entry, whose jump is set when the layer is complete.
 std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
+    const std::int32_t start = here();
     const MaskEntry& lowest = *mask.entries.front();
     const bool whole = lowest.opacity >= 1.0f;
-    const bool first = whole && (lowest.combine == MaskCombine::Replace ||
-                                 (lowest.combine == MaskCombine::Multiply && mask.begin == 1.0f));
+    const bool first = whole && (lowest.combine == BlendMode::Replace ||
+                                 (lowest.combine == BlendMode::Multiply && mask.begin == 1.0f));
     if (!first) {
         Operation begin = like;
         begin.code = OpCode::MaskBegin;
@@ -267,17 +306,12 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
         program_.operations.push_back(begin);
     }
     for (const MaskEntry* entry : mask.entries) {
-        Operation join = like;
-        join.code = OpCode::MaskEntry;
-        join.combine = entry->combine;
+        Operation join = entry->adjustment ? mask_adjustment(*entry->adjustment, start, like)
+                                           : mask_source(*entry, like);
+        join.mode = entry->combine;
         join.amount = entry->opacity;
-        join.source = add_source(entry->source, Reading::Scalar, like);
-        if (first && entry == &lowest) join.flags |= kFirst;
         if (entry->invert) join.flags |= kInvert;
-        if (!is_identity(entry->levels)) {
-            program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
-            program_.levels.push_back(entry->levels);
-        }
+        if (first && entry == &lowest) join.flags |= kFirst;
         if (entry == mask.entries.back()) {
             join.flags |= kLast;
             if (mask.invert) join.flags |= kInvertMask;
@@ -285,6 +319,36 @@ std::int32_t Emitter::emit_mask(const MaskTerm& mask, Operation like) {
         program_.operations.push_back(join);
     }
     return here() - 1;
+}
+
+/// Notes what the operation that follows, an entry of a mask, reads.
+Operation Emitter::mask_source(const MaskEntry& entry, Operation like) {
+    const std::int32_t source = add_source(entry.source, Reading::Scalar, like);
+    like.code = OpCode::MaskEntry;
+    like.source = source;
+    if (is_identity(entry.levels)) return like;
+    program_.sources.back().levels = static_cast<std::int32_t>(program_.levels.size());
+    program_.levels.push_back(entry.levels);
+    return like;
+}
+
+/// The same of an entry that is an adjustment. `start`: the first operation of the mask.
+Operation Emitter::mask_adjustment(const AdjustmentSettings& adjustment, std::int32_t start,
+                                   Operation like) {
+    like.code = OpCode::MaskAdjust;
+    like.source = static_cast<std::int32_t>(program_.adjustments.size());
+    program_.adjustments.push_back(adjustment);
+    if (!looks_around(adjustment.kind)) return like;
+    like.around = static_cast<std::int32_t>(program_.around.size());
+    program_.around.push_back({.start = start,
+                               .begin = here(),
+                               .last = here(),
+                               .of_mask = true,
+                               .adjustment = like.source,
+                               .depth = like.depth,
+                               .channels = like.channels,
+                               .referring = referring_});
+    return like;
 }
 
 void Emitter::emit_blend(const Contribution& contribution, Channel channel, Operation like,
@@ -305,7 +369,7 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
         like.source = static_cast<std::int32_t>(program_.adjustments.size());
         const bool around = looks_around(contribution.adjustment->kind);
         if (around) program_.around.back().last = here();
-        like.jump = around ? static_cast<std::int32_t>(program_.around.size()) - 1 : -1;
+        if (around) like.around = static_cast<std::int32_t>(program_.around.size()) - 1;
         program_.adjustments.push_back(*contribution.adjustment);
     } else if (contribution.source != nullptr) {
         like.code = OpCode::Blend;
@@ -317,16 +381,23 @@ void Emitter::emit_blend(const Contribution& contribution, Channel channel, Oper
     program_.operations.push_back(like);
 }
 
-/// Emits a layer by itself at the next depth, where what reads it finds it.
 std::int32_t Emitter::emit_reference(const ReferenceSource& source, Reading reading,
-                                     Operation like) {
-    const LayerTerms* const terms = referred_.find(source);
-    const Channel channel = channel_of(source.result).value_or(Channel::Opacity);
+                                     const Operation& like) {
+    return emit_referred({.terms = referred_.find(source),
+                          .channel = channel_of(source.result).value_or(Channel::Opacity),
+                          .of_mask = source.result == LayerResult::Mask},
+                         reading, like);
+}
+
+/// Emits a layer by itself at the next depth, where what reads it finds it.
+std::int32_t Emitter::emit_referred(const Referred& referred, Reading reading, Operation like) {
+    const LayerTerms* const terms = referred.terms;
+    const Channel channel = referred.channel;
     const auto index = static_cast<std::int32_t>(program_.references.size());
     const int depth = like.depth + 1;
     program_.references.push_back(
         {.channel = channel,
-         .of_mask = source.result == LayerResult::Mask,
+         .of_mask = referred.of_mask,
          .needed = terms != nullptr ? terms->run_bits() : channel_bit(channel)});
     program_.depths = std::max(program_.depths, depth + 1);
     like.code = OpCode::Reference;

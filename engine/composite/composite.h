@@ -79,7 +79,8 @@ class LiveComposite {
     std::unique_ptr<State> state_;
 };
 
-/// One step of `explain`: what a layer did to one channel of one texel.
+/// One step of `explain`: what a layer did to one channel of one texel. Of a normal that heights
+/// bend the last step is of no layer (id 0): its source is the normal of the heights alone.
 struct ExplainStep {
     LayerId layer;
     std::string layer_name;
@@ -89,6 +90,8 @@ struct ExplainStep {
     float mask = 1.0f;                   ///< times the share of a layer that blends by height
     float weight = 0.0f;                 ///< opacity x channel opacity x mask x coverage
     glm::vec3 result = glm::vec3(0.0f);  ///< after the layer
+    float coverage =
+        1.0f;  ///< after the layer, of what the group that it is in has laid down so far
 };
 /// The history of one texel, bottom to top, by the same program and kernels that bake it.
 /// @param surface  as in Program::compile

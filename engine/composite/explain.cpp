@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "composite/compile.h"
 #include "composite/composite.h"
+#include "composite/composite_rect.h"
 #include "composite/run_tile.h"
 #include "composite/uniform_values.h"
 
@@ -26,7 +27,40 @@ ExplainStep step_of(const ProgramData& program, const Operation& operation,
             .depth = layer.depth,
             .mode = operation.mode,
             .source = value_of(source.components, operation.channel, encoded),
-            .result = value_of(result, operation.channel, encoded)};
+            .result = value_of(result, operation.channel, encoded),
+            .coverage = operation.depth > 0 ? planes.coverage(operation.depth, operation.channel)[0]
+                                            : 1.0f};
+}
+
+/// The normal of one texel as the bake has it, bent by the heights.
+glm::vec3 baked_normal(const ProgramData& program, const BoundImages& images, int size,
+                       const TexelRect& texel) {
+    glm::vec3 normal(0.0f);
+    composite_tiles({.program = &program,
+                     .images = &images,
+                     .wanted = channel_bit(Channel::Normal),
+                     .size = size,
+                     .rect = texel},
+                    [&](const TileSpan&, TilePlanes& planes) {
+                        for (int k = 0; k < 3; ++k)
+                            normal[k] = planes.channel(0, Channel::Normal, k)[0];
+                    },
+                    {});
+    return normal;
+}
+
+/// The step from what the layers say of the normal to what is baked.
+ExplainStep step_from_height(const ProgramData& program, const BoundImages& images, int size,
+                             const TexelRect& texel) {
+    ProgramData heights = program;
+    for (Operation& operation : heights.operations)
+        operation.channels &= static_cast<ChannelBits>(~channel_bit(Channel::Normal));
+    return {.layer = {},
+            .layer_name = "from height",
+            .mode = BlendMode::NormalRnm,
+            .source = baked_normal(heights, images, size, texel),
+            .weight = 1.0f,
+            .result = baked_normal(program, images, size, texel)};
 }
 
 }  // namespace
@@ -37,9 +71,13 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material,
     if (size < 1 || x < 0 || y < 0 || x >= size || y >= size)
         return failure("texel ({}, {}) is not in a map of {} texels a side", x, y, size);
     const ProgramData program = compile_material(material, surface, CoveredLayers::Keep);
+    const bool bent =
+        channel == Channel::Normal && (program.touched & channel_bit(Channel::Height)) != 0;
+    ChannelBits read = channel_bit(channel);
+    if (bent) read |= channel_bit(Channel::Height);
     ReducedImages reduced;
     const BoundImages bound =
-        bind_images(program, channel_bit(channel), size, images, MissingImages::Wait, reduced);
+        bind_images(program, read, size, images, MissingImages::Wait, reduced);
     if (!bound.failures.empty()) return failure("{}", bound.failures.front());
 
     std::vector<ExplainStep> steps;
@@ -63,6 +101,7 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material,
                           },
                       .around = &around.list()};
     run_tile(run, {.x = x, .y = y, .count = 1, .size = size}, planes);
+    if (bent) steps.push_back(step_from_height(program, bound, size, {x, y, x + 1, y + 1}));
     return steps;
 }
 

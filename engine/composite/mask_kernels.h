@@ -12,7 +12,7 @@ struct MaskTask {
     TileBlocks blocks = 0;  ///< outside of which the mask is 0, as it is so far
     ReadPlane source = {};
     StoredTexels stored = {};  ///< in place of `source`, where mask_reads_stored() allows it
-    MaskCombine combine = MaskCombine::Multiply;
+    BlendMode combine = BlendMode::Multiply;  ///< one that combines_masks
     float opacity = 1.0f;
     bool first = false;              ///< nothing lies below: the entry is the mask
     bool invert = false;             ///< of the entry, before its levels
@@ -25,7 +25,7 @@ struct MaskTask {
 TileBlocks join_mask_tile(const MaskTask& task);
 
 /// Whether join_mask_tile reads such texels by itself.
-bool mask_reads_stored(const StoredTexels& texels);
+bool mask_reads_stored(BlendMode combine, const StoredTexels& texels);
 
 /// Where the heights of a layer and of what lies below it are, and how they decide.
 struct HeightShareTask {

@@ -38,9 +38,11 @@ constexpr int component_count(Channel channel) {
 enum class OpCode : std::uint8_t {
     /// The mask of this depth := `amount` everywhere.
     MaskBegin,
-    /// Joins one entry (source, combine, amount, levels, flags) to the mask of this depth. The last
+    /// Joins one entry (source, mode, amount, levels, flags) to the mask of this depth. The last
     /// one finishes it; where the mask then is 0 in a whole tile, the run goes on at `jump`.
     MaskEntry,
+    /// The same of an entry that is what an adjustment makes of the mask of this depth.
+    MaskAdjust,
     /// Multiplies the finished mask of this depth by the share that its height gives the layer.
     MaskHeight,
     /// Recodes the accumulated colour of `channel` for the blend space of the layer to come.
@@ -95,13 +97,13 @@ struct Operation {
     ChannelBits channels = 0;  ///< needed when any of these is wanted
     Channel channel = Channel::BaseColor;
     BlendMode mode = BlendMode::Normal;
-    MaskCombine combine = MaskCombine::Multiply;
     float amount = 1.0f;  ///< weight of a blend, opacity of an entry, value of MaskBegin
-    /// Index into ProgramData::sources; Adjust: into adjustments; MaskHeight: into height_blends;
-    /// Reference: into references.
+    /// Index into ProgramData::sources; Adjust, MaskAdjust: into adjustments; MaskHeight: into
+    /// height_blends; Reference: into references.
     std::int32_t source = 0;
-    std::int32_t jump = 0;   ///< index of an operation; Adjust: into around, or -1
-    std::int32_t layer = 0;  ///< index into ProgramData::layers
+    std::int32_t around = -1;  ///< Adjust, MaskAdjust: index into ProgramData::around, or -1
+    std::int32_t jump = 0;     ///< index of an operation
+    std::int32_t layer = 0;    ///< index into ProgramData::layers
 };
 
 /// What a source is read as. Colours and scalars are held to 0..1, whatever an image has beyond;
@@ -149,16 +151,24 @@ struct ReferenceRecord {
 };
 
 /// What lies below a layer whose adjustment looks around, or whose mask or source reads the relief
-/// there (composite/around.h).
+/// there; or what the mask is before an entry that looks around in it (composite/around.h).
 struct AroundRecord {
+    /// Of a mask: its first operation, which needs nothing that is accumulated before. Else 0.
+    std::int32_t start = 0;
     std::int32_t begin = 0;       ///< what the operations before it leave is what is read
     std::int32_t last = 0;        ///< the last operation that reads it
     bool relief = false;          ///< heights, blurred and as they are, for a ReliefSource
+    bool of_mask = false;         ///< the mask of the depth is read, for `channels` of its layer
     std::int32_t adjustment = 0;  ///< index into ProgramData::adjustments
     std::uint8_t depth = 0;
     ChannelBits channels = 0;
     /// Within a reference: wanted when any of these is, of the layer that refers. Else 0.
     ChannelBits referring = 0;
+
+    /// What is kept as a channel is: a mask is one number.
+    static constexpr Channel kMaskChannel = Channel::Opacity;
+    /// Whether what is read has coverage.
+    bool has_coverage() const { return depth > 0 && !of_mask; }
 };
 
 /// Whose operations they are, for `explain` and for messages.

@@ -34,12 +34,14 @@ class Runner {
     std::size_t step(const Operation& operation, std::size_t next);
     const Levels* levels_of(const Operation& operation) const;
     void join_mask(const Operation& operation);
+    FetchedSource mask_entry(const Operation& operation);
+    FetchedSource adjusted_mask(const Operation& operation);
     void share_by_height(const Operation& operation);
     ReadPlane height_coverage(int depth);
     void clear(int depth, ChannelBits channels);
     void copy_group(const Operation& operation);
     FetchedSource adjusted(const Operation& operation);
-    void look_around(const Operation& operation, const AdjustTask& task);
+    void run_or_look_around(const Operation& operation, const AdjustTask& task);
     void recode(const Operation& operation);
     FetchedSource blend_source(const Operation& operation);
     FetchedSource child_source(const Operation& operation);
@@ -73,8 +75,8 @@ class Runner {
 };
 
 void Runner::run() {
-    fill_bottom();
-    run_until(0, end_);
+    if (run_.start == 0) fill_bottom();
+    run_until(static_cast<std::size_t>(run_.start), end_);
 }
 
 void Runner::run_until(std::size_t next, std::size_t end) {
@@ -154,6 +156,7 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             planes_.masked_blocks(operation.depth) = all_blocks(span_.count);
             break;
         case OpCode::MaskEntry:
+        case OpCode::MaskAdjust:
             join_mask(operation);
             if ((operation.flags & kLast) != 0 && planes_.masked_blocks(operation.depth) == 0 &&
                 !run_.observer && may_jump(operation, next))
@@ -211,29 +214,48 @@ const Levels* Runner::levels_of(const Operation& operation) const {
     return within ? nullptr : &kIdentity;
 }
 
-void Runner::join_mask(const Operation& operation) {
+/// What the source of an entry gives (read where the mask is to lie, if nothing lies below), times
+/// what it covers where it is another layer.
+FetchedSource Runner::mask_entry(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
-    float* const mask = planes_.mask(operation.depth);
-    const FetchedSource source =
-        fetch(operation, {first ? mask : planes_.source(0), planes_.source(1), planes_.source(2)},
-              mask_reads_stored);
-    MaskTask task{.mask = mask,
-                  .blocks = planes_.masked_blocks(operation.depth),
-                  .source = source.components[0],
-                  .stored = source.stored,
-                  .combine = operation.combine,
-                  .opacity = operation.amount,
-                  .first = first,
-                  .invert = (operation.flags & kInvert) != 0,
-                  .levels = levels_of(operation),
-                  .last = (operation.flags & kLast) != 0,
-                  .invert_mask = (operation.flags & kInvertMask) != 0,
-                  .count = span_.count};
-    if (source_of(operation).reference >= 0 && source.coverage.step != 0) {
-        multiply_tile(task.source, source.coverage, planes_.source(1), span_.count);
-        task.source = {.data = planes_.source(1)};
-    }
-    planes_.masked_blocks(operation.depth) = join_mask_tile(task);
+    float* const own = first ? planes_.mask(operation.depth) : planes_.source(0);
+    const auto accepts = [&](const StoredTexels& texels) {
+        return mask_reads_stored(operation.mode, texels);
+    };
+    FetchedSource source = fetch(operation, {own, planes_.source(1), planes_.source(2)}, accepts);
+    if (source_of(operation).reference < 0 || source.coverage.step == 0) return source;
+    multiply_tile(source.components[0], source.coverage, planes_.source(1), span_.count);
+    source.components[0] = {.data = planes_.source(1)};
+    return source;
+}
+
+FetchedSource Runner::adjusted_mask(const Operation& operation) {
+    const AdjustTask task{
+        .adjustment = &program_.adjustments[static_cast<std::size_t>(operation.source)],
+        .channel = AroundRecord::kMaskChannel,
+        .count = span_.count,
+        .from = {planes_.mask(operation.depth)},
+        .to = {planes_.source(0)}};
+    run_or_look_around(operation, task);
+    return {{{.data = task.to[0]}, {}, {}}, uniform_one()};
+}
+
+void Runner::join_mask(const Operation& operation) {
+    const bool adjusts = operation.code == OpCode::MaskAdjust;
+    const FetchedSource source = adjusts ? adjusted_mask(operation) : mask_entry(operation);
+    planes_.masked_blocks(operation.depth) =
+        join_mask_tile({.mask = planes_.mask(operation.depth),
+                        .blocks = planes_.masked_blocks(operation.depth),
+                        .source = source.components[0],
+                        .stored = source.stored,
+                        .combine = operation.mode,
+                        .opacity = operation.amount,
+                        .first = (operation.flags & kFirst) != 0,
+                        .invert = (operation.flags & kInvert) != 0,
+                        .levels = adjusts ? nullptr : levels_of(operation),
+                        .last = (operation.flags & kLast) != 0,
+                        .invert_mask = (operation.flags & kInvertMask) != 0,
+                        .count = span_.count});
 }
 
 /// What the height channel covers at a depth; the stack itself is opaque.
@@ -355,15 +377,13 @@ FetchedSource Runner::adjusted(const Operation& operation) {
         source.components[k] = {.data = task.to[k]};
     }
     source.coverage = uniform_one();
-    if (operation.jump >= 0)
-        look_around(operation, task);
-    else
-        run_adjustment(task);
+    run_or_look_around(operation, task);
     return source;
 }
 
-void Runner::look_around(const Operation& operation, const AdjustTask& task) {
-    const auto index = static_cast<std::size_t>(operation.jump);
+void Runner::run_or_look_around(const Operation& operation, const AdjustTask& task) {
+    if (operation.around < 0) return run_adjustment(task);
+    const auto index = static_cast<std::size_t>(operation.around);
     const AroundPlanes* const planes =
         run_.around != nullptr ? (*run_.around)[index].get() : nullptr;
     if (planes == nullptr) {

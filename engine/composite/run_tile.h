@@ -26,6 +26,9 @@ struct TileRun {
     /// Of all that look around; where they are null, the channel is taken to be the same in every
     /// texel.
     const AroundList* around = nullptr;
+    /// The run begins here. Where that is not the first operation, nothing that lies below is in
+    /// the planes.
+    std::int32_t start = 0;
     /// The run ends before this operation, with everything before it done in every texel.
     std::int32_t stop = std::numeric_limits<std::int32_t>::max();
 };

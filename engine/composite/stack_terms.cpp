@@ -30,20 +30,30 @@ bool covers(const StackTerms& terms, Channel channel) {
     return covered;
 }
 
-/// Folds what is uniform from the bottom of the mask up. Returns its value where all of it is.
+/// What the entry's source or adjustment gives, where that is the same in every texel. `below`:
+/// what the entries before it come to.
+std::optional<float> uniform_value(const MaskEntry& entry, const MaskTerm& below,
+                                   const UvSurface* surface) {
+    if (below.varies()) return std::nullopt;
+    if (entry.adjustment) return adjusted_mask_value(*entry.adjustment, below.begin);
+    const auto* const constant =
+        std::get_if<ConstantSource>(&resolved_source(entry.source, surface));
+    return constant != nullptr ? std::optional(constant->value.x) : std::nullopt;
+}
+
+/// Folds what is uniform from the bottom of the mask up: the first entry that is left is no
+/// adjustment. Returns its value where all of it is.
 std::optional<float> reduce_mask(const Mask& mask, const UvSurface* surface, MaskTerm& term) {
     if (!mask.enabled) return 1.0f;
     term.begin = mask.base;
     term.invert = mask.invert;
     for (const MaskEntry& entry : mask.entries) {
         if (!entry.visible || entry.opacity <= 0.0f) continue;
-        const Source& source = resolved_source(entry.source, surface);
-        const auto* const constant = std::get_if<ConstantSource>(&source);
-        if (constant != nullptr && !term.varies()) {
-            term.begin = joined_mask_value(term.begin, entry, constant->value.x);
+        if (const auto value = uniform_value(entry, term, surface)) {
+            term.begin = joined_mask_value(term.begin, entry, *value);
         } else {
-            if (entry.combine == MaskCombine::Replace && entry.opacity >= 1.0f)
-                term.entries.clear();
+            const bool covers = entry.combine == BlendMode::Replace && entry.opacity >= 1.0f;
+            if (covers && !entry.adjustment) term.entries.clear();
             term.entries.push_back(&entry);
         }
     }
@@ -179,6 +189,7 @@ bool reads_heights(const LayerTerms& terms, ReferredLayers& referred) {
                reads_heights(*contribution->source, referred);
     };
     return in_mask(terms.mask) || in_mask(terms.clip) ||
+           (terms.clip_content != nullptr && terms.clip_content->reads_heights) ||
            std::any_of(terms.channels.begin(), terms.channels.end(), in_channel);
 }
 
@@ -188,7 +199,12 @@ void add_reduced(const Layer& layer, const Layer* base, const Reduction& how, Be
     LayerTerms terms{.layer = &layer};
     const UvSurface* const surface = how.referred.surface();
     float weight = uniform_weight(layer, surface, terms.mask);
-    if (base != nullptr) weight *= uniform_weight(*base, surface, terms.clip);
+    if (base != nullptr) {
+        weight *= uniform_weight(*base, surface, terms.clip);
+        const ReferredLayers::Content& content = how.referred.content_of(*base);
+        if (content.is_nothing) return;
+        if (content.terms) terms.clip_content = &*content.terms;
+    }
     if (!(weight > 0.0f)) return;
     terms.pass_through = layer.is_pass_through();
     if (const auto* const group = std::get_if<GroupContent>(&layer.content)) {
@@ -269,6 +285,35 @@ LayerPtr as_read(const Layer& layer, LayerResult result) {
                 at(copy.channels, entry.channel).enabled = false;
     }
     return std::make_shared<const Layer>(std::move(copy));
+}
+
+/// The layer with nothing but its content.
+LayerPtr content_alone(const Layer& layer) {
+    Layer copy = layer;
+    copy.visible = true;
+    copy.opacity = 1.0f;
+    copy.mask = {};
+    copy.height_blend.enabled = false;
+    if (copy.is_pass_through()) copy.mode = BlendMode::Normal;
+    for (ChannelSettings& settings : copy.channels)
+        if (settings.opacity > 0.0f) settings.opacity = 1.0f;
+    return std::make_shared<const Layer>(std::move(copy));
+}
+
+/// Whether the layer gives the channel a value, and does not only adjust one.
+bool lays_on(const LayerTerms& layer, Channel channel) {
+    const auto& contribution = at(layer.channels, channel);
+    if (!contribution || contribution->adjustment != nullptr) return false;
+    return contribution->source != nullptr ||
+           std::any_of(layer.children.begin(), layer.children.end(),
+                       [&](const LayerTerms& child) { return lays_on(child, channel); });
+}
+
+/// Leaves one channel of a layer.
+void keep_channel(LayerTerms& terms, Channel channel) {
+    for (const ChannelInfo& entry : kChannels)
+        if (entry.channel != channel) at(terms.channels, entry.channel).reset();
+    keep_channels(terms.children, terms.run_bits());
 }
 
 void add_source(Hasher& hasher, const ConstantSource& source) {
@@ -375,9 +420,14 @@ void add_mask(Hasher& hasher, const MaskTerm& mask, ReferredLayers& referred) {
     if (!mask.varies()) return;
     hasher.add(mask.begin).add(mask.invert);
     for (const MaskEntry* entry : mask.entries) {
-        hasher.add(source_hash(entry->source, referred)).add(entry->combine).add(entry->opacity);
-        hasher.add(entry->invert);
-        add_levels(hasher, entry->levels);
+        hasher.add(entry->combine).add(entry->opacity).add(entry->invert);
+        hasher.add(entry->adjustment.has_value());
+        if (entry->adjustment) {
+            add_adjustment(hasher, *entry->adjustment);
+        } else {
+            hasher.add(source_hash(entry->source, referred));
+            add_levels(hasher, entry->levels);
+        }
     }
 }
 
@@ -427,6 +477,28 @@ const LayerTerms* ReferredLayers::find(const ReferenceSource& reference) {
     return found.terms ? &*found.terms : nullptr;
 }
 
+const ReferredLayers::Content& ReferredLayers::content_of(const Layer& layer) {
+    const auto [place, is_new] = contents_.try_emplace(&layer);
+    Content& content = place->second;
+    // What an adjustment covers is what lies below it.
+    if (!is_new || layer.is_adjustment()) return content;
+    content.plain = content_alone(layer);
+    StackTerms terms;
+    add_reduced(*content.plain, nullptr, {CoveredLayers::Drop, *this}, Below::Nothing, terms);
+    terms = simplified(std::move(terms), Below::Nothing, CoveredLayers::Drop);
+    const auto first =
+        std::find_if(kChannels.begin(), kChannels.end(), [&](const ChannelInfo& entry) {
+            return !terms.empty() && lays_on(terms.front(), entry.channel);
+        });
+    content.is_nothing = first == kChannels.end() && layer.is_group();
+    // A fill of no channel is there for its mask.
+    if (first == kChannels.end() || at(terms.front().channels, first->channel)->covers)
+        return content;
+    keep_channel(terms.front(), first->channel);
+    content.terms = std::move(terms.front());
+    return content;
+}
+
 std::vector<const LayerTerms*> layers_of_channel(const StackTerms& terms, Channel channel) {
     std::vector<const LayerTerms*> layers;
     for (const LayerTerms& layer : terms)
@@ -450,6 +522,8 @@ Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels, ReferredLayers
     Hasher hasher;
     add_mask(hasher, terms.mask, referred);
     add_mask(hasher, terms.clip, referred);
+    if (terms.clip_content != nullptr)
+        hasher.add(layer_hash(*terms.clip_content, kAllChannels, referred));
     hasher.add(terms.pass_through).add(terms.height_blend != nullptr);
     if (terms.height_blend != nullptr) {
         const HeightBlend& blend = *terms.height_blend;

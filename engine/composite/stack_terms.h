@@ -34,6 +34,9 @@ struct LayerTerms {
     const Layer* layer = nullptr;
     MaskTerm mask = {};
     MaskTerm clip = {};  ///< that of the layer to which this one is clipped; multiplies the mask
+    /// The content of that layer, by itself and in one channel, where it does not cover everything:
+    /// what it covers multiplies the mask too.
+    const LayerTerms* clip_content = nullptr;
     bool pass_through = false;  ///< of a group: the children go on from what lies below it
     /// How heights decide about the layer; null where they do not.
     const HeightBlend* height_blend = nullptr;
@@ -48,7 +51,9 @@ struct LayerTerms {
     /// What runs for the layer.
     ChannelBits run_bits() const { return with_heights(channel_bits()); }
     /// Whether its weight differs from texel to texel, but for its sources' coverage.
-    bool has_mask() const { return mask.varies() || clip.varies() || height_blend != nullptr; }
+    bool has_mask() const {
+        return mask.varies() || clip.varies() || clip_content != nullptr || height_blend != nullptr;
+    }
 };
 using StackTerms = std::vector<LayerTerms>;
 
@@ -66,6 +71,15 @@ class ReferredLayers {
 
     /// Null where nothing is read. A mask is what the layer then covers of Channel::Opacity.
     const LayerTerms* find(const ReferenceSource& reference);
+
+    /// What the content of a layer covers, its mask and opacities aside: of the first channel that
+    /// it lays on, since an image that is cut out may stand beside constants that are not.
+    struct Content {
+        bool is_nothing = false;             ///< a group that lays on nothing
+        std::optional<LayerTerms> terms;     ///< of one channel; unset: it covers every texel
+        std::shared_ptr<const Layer> plain;  ///< what the terms point into
+    };
+    const Content& content_of(const Layer& layer);
     /// What sources read of the model; null where no mesh is at hand.
     const UvSurface* surface() const { return surface_; }
 
@@ -77,6 +91,7 @@ class ReferredLayers {
     const std::vector<LayerPtr>& stack_;
     const UvSurface* surface_;
     std::map<std::pair<LayerId, LayerResult>, Found> found_;
+    std::map<const Layer*, Content> contents_;
 };
 
 /// The layers of a stack, bottom to top, that can change the result. Hidden ones, those of no

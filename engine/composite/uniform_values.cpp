@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "composite/uniform_values.h"
 
+#include "composite/adjust_kernels.h"
+#include "composite/mask_kernels.h"
 #include "core/formulae/formulae.h"
 
 namespace patina {
-namespace {
-
-float combined(float below, MaskCombine combine, float entry) {
-    switch (combine) {
-        case MaskCombine::Replace:
-            return formulae::mask_replace(below, entry);
-        case MaskCombine::Multiply:
-            return formulae::mask_multiply(below, entry);
-        case MaskCombine::Add:
-            return formulae::mask_add(below, entry);
-        case MaskCombine::Subtract:
-            return formulae::mask_subtract(below, entry);
-        case MaskCombine::Lighten:
-            return formulae::mask_lighten(below, entry);
-        case MaskCombine::Darken:
-            return formulae::mask_darken(below, entry);
-    }
-    return below;
-}
-
-}  // namespace
 
 glm::vec3 encoded_color(const glm::vec3& color_linear) {
     return {formulae::srgb_from_linear(color_linear.x), formulae::srgb_from_linear(color_linear.y),
@@ -37,12 +18,30 @@ glm::vec3 linear_color(const glm::vec3& color_encoded) {
             formulae::linear_from_srgb(color_encoded.z)};
 }
 
+float adjusted_mask_value(const AdjustmentSettings& adjustment, float below) {
+    if (looks_around(adjustment.kind)) return below;
+    const UniformPlane from(below);
+    UniformPlane to;
+    run_adjustment({.adjustment = &adjustment,
+                    .channel = AroundRecord::kMaskChannel,
+                    .count = 1,
+                    .from = {from.lanes},
+                    .to = {to.lanes}});
+    return to.lanes[0];
+}
+
 float joined_mask_value(float below, const MaskEntry& entry, float value) {
-    const Levels& levels = entry.levels;
-    const float own = entry.invert ? formulae::inverted(value) : value;
-    const float adjusted = formulae::levels(own, levels.in_low, levels.in_high, levels.gamma,
-                                            levels.out_low, levels.out_high);
-    return formulae::mix(below, combined(below, entry.combine, adjusted), entry.opacity);
+    UniformPlane mask(below);
+    const UniformPlane source(value);
+    join_mask_tile({.mask = mask.lanes,
+                    .blocks = all_blocks(1),
+                    .source = source.plane(),
+                    .combine = entry.combine,
+                    .opacity = entry.opacity,
+                    .invert = entry.invert,
+                    .levels = &entry.levels,
+                    .count = 1});
+    return mask.lanes[0];
 }
 
 float finished_mask_value(float value, bool invert) {

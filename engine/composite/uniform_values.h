@@ -14,7 +14,10 @@ namespace patina {
 glm::vec3 encoded_color(const glm::vec3& color_linear);
 glm::vec3 linear_color(const glm::vec3& color_encoded);
 
-/// The mask after `entry`, where it was `below` and the entry's source is `value`.
+/// What an adjustment makes of a mask that is `below`; where all texels are alike, it looks around
+/// in vain.
+float adjusted_mask_value(const AdjustmentSettings& adjustment, float below);
+/// The mask after `entry`, where it was `below` and the entry's source or adjustment gives `value`.
 float joined_mask_value(float below, const MaskEntry& entry, float value);
 /// The finished mask: clamped to 0..1, then inverted where asked.
 float finished_mask_value(float value, bool invert);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What an adjustment layer does to the channels below it. The formulae are in
-/// shaders/shared/adjust.glsl and, of those that look around, neighbourhood.glsl. Colours and
-/// scalars are taken as 0..1 in the layer's blend space, heights of -1..1 as 0..1; normals can only
-/// be blurred, sharpened and warped.
+/// What an adjustment layer does to the channels below it, or an entry of a mask to those before
+/// it. The formulae are in shaders/shared/adjust.glsl and, of those that look around,
+/// neighbourhood.glsl. Colours and scalars are taken as 0..1 in the layer's blend space, heights of
+/// -1..1 as 0..1; normals can only be blurred, sharpened and warped.
 
 #include <cstdint>
 #include <vector>
@@ -37,6 +37,10 @@ constexpr bool looks_around(AdjustmentKind kind) {
 /// Whether the channel can be adjusted so: a direction is no number that has levels or contrast.
 constexpr bool adjusts(AdjustmentKind kind, Channel channel) {
     return channel != Channel::Normal || looks_around(kind);
+}
+/// Whether a mask can be adjusted so: it has no colours.
+constexpr bool adjusts_masks(AdjustmentKind kind) {
+    return kind != AdjustmentKind::HueSaturation && kind != AdjustmentKind::GradientMap;
 }
 
 struct CurvePoint {

@@ -189,6 +189,12 @@ constexpr bool applies_to(BlendMode mode, Channel channel) {
     return (info(mode).kinds & kind_bit(info(channel).kind)) != 0;
 }
 
+/// Whether entries of a mask can join by the mode. Of the two that leave the source alone, which
+/// are the same where all is covered, it is Replace.
+constexpr bool combines_masks(BlendMode mode) {
+    return (info(mode).kinds & kind_bit(ChannelKind::Scalar)) != 0 && mode != BlendMode::Normal;
+}
+
 /// Whether a layer can have the mode for its colours: pass-through is one of groups.
 constexpr bool blends_layer(BlendMode mode, bool group) {
     return mode == BlendMode::PassThrough ? group : applies_to(mode, Channel::BaseColor);

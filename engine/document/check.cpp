@@ -73,9 +73,13 @@ Status check_part(SourceUse use, const GeometrySource& source) {
 }
 
 Status check_entry(const MaskEntry& entry) {
+    if (!combines_masks(entry.combine))
+        return failure("blend mode {} does not apply to masks", info(entry.combine).id);
     return first_failure({check_name(entry.name),
                           check_range(Parameter::MaskEntryOpacity, entry.opacity),
-                          check_levels(entry.levels), check_source(std::nullopt, entry.source)});
+                          check_levels(entry.levels), check_source(std::nullopt, entry.source),
+                          entry.adjustment ? check_adjustment(*entry.adjustment) : Status{},
+                          check_mask_adjustment(entry)});
 }
 
 Status check_channels(const PerChannel<ChannelSettings>& channels) {
@@ -246,6 +250,16 @@ Status check_height_blend(const HeightBlend& blend) {
     return first_failure({check_range(Parameter::HeightBlendOffset, blend.offset),
                           check_range(Parameter::HeightBlendRadius, blend.radius),
                           check_range(Parameter::HeightBlendContrast, blend.contrast)});
+}
+
+Status check_mask_adjustment(const MaskEntry& entry) {
+    if (!entry.adjustment) return {};
+    const AdjustmentKind kind = entry.adjustment->kind;
+    if (!adjusts_masks(kind))
+        return failure("a mask has no colours to adjust by {}: use levels or curves",
+                       choice(kind).id);
+    if (entry.source == MaskEntry{}.source && entry.levels == Levels{}) return {};
+    return failure("an adjustment of a mask has neither a source nor levels beside it");
 }
 
 Status check_mask(const Mask& mask) {

@@ -44,6 +44,8 @@ Status check_levels(const Levels& levels);
 Status check_adjustment(const AdjustmentSettings& adjustment);
 Status check_height_blend(const HeightBlend& blend);
 Status check_mask(const Mask& mask);
+/// Whether a mask can have the adjustment that an entry is, if it is one, with what is beside it.
+Status check_mask_adjustment(const MaskEntry& entry);
 /// The layer and all its children, ids apart. The failure names the layer.
 Status check_layer(const Layer& layer);
 Status check_light(const Light& light);

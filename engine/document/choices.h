@@ -24,9 +24,6 @@ struct Choice {
     std::string_view label;
 };
 
-inline constexpr std::array kMaskCombines = {
-    Choice{"replace", "Replace"},   Choice{"multiply", "Multiply"}, Choice{"add", "Add"},
-    Choice{"subtract", "Subtract"}, Choice{"lighten", "Lighten"},   Choice{"darken", "Darken"}};
 inline constexpr std::array kBlendSpaces = {Choice{"linear", "Linear light"},
                                             Choice{"srgb-encoded", "sRGB-encoded"}};
 inline constexpr std::array kAlphaModes = {Choice{"opaque", "Opaque"}, Choice{"mask", "Mask"},
@@ -103,7 +100,6 @@ inline constexpr std::array kSampleTypes = {Choice{"u8", "8 bit"}, Choice{"u16",
 /// The table of an enumeration, indexed by its enumerators.
 template <typename Enumeration>
 constexpr std::span<const Choice> choices() {
-    if constexpr (std::is_same_v<Enumeration, MaskCombine>) return kMaskCombines;
     if constexpr (std::is_same_v<Enumeration, BlendSpace>) return kBlendSpaces;
     if constexpr (std::is_same_v<Enumeration, AlphaMode>) return kAlphaModes;
     if constexpr (std::is_same_v<Enumeration, Padding>) return kPaddings;

@@ -2,9 +2,11 @@
 #include "document/difference.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "document/layer_json.h"
+#include "document/parameters.h"
 #include "document/record.h"
 
 namespace patina {
@@ -30,8 +32,63 @@ std::vector<Pair> paired(const List& before, const List& after) {
     return pairs;
 }
 
-std::string text_of(const Json* value) {
-    if (!value) return "the default";
+/// Whose parameters the members of an object are, by the key that it stands behind; unset where
+/// they are none of the table's.
+std::optional<Subject> subject_behind(std::string_view key, std::optional<Subject> outer,
+                                      const Json& value) {
+    struct Row {
+        std::string_view key;
+        Subject subject;
+    };
+    constexpr auto kRows = std::to_array<Row>({
+        {"channels", Subject::Channel},
+        {"height-blend", Subject::HeightBlend},
+        {"mask", Subject::Mask},
+        {"entries", Subject::MaskEntry},
+        {"levels", Subject::Levels},
+        {"adjustment", Subject::Adjustment},
+        {"transform", Subject::UvTransform},
+        {"projection", Subject::Projection},
+        {"environment", Subject::Environment},
+        {"lights", Subject::Light},
+    });
+    for (const Row& row : kRows)
+        if (row.key == key) return row.subject;
+    if (outer == Subject::Channel && channel_from_id(key)) return Subject::Channel;
+    if (key != "source" || !value.is_object() || !value.contains("kind")) return std::nullopt;
+    const auto kind = value["kind"].get<std::string>();
+    if (kind == "image") return Subject::Image;
+    if (choice_from_id<ProceduralKind>(kind)) return Subject::Procedural;
+    if (choice_from_id<ReliefKind>(kind)) return Subject::Relief;
+    return std::nullopt;
+}
+
+/// What a parameter is where nothing is written.
+std::string standard_text(const ParameterInfo& row) {
+    switch (row.kind) {
+        case ParameterKind::Switch:
+            return row.standard != 0.0 ? "true" : "false";
+        case ParameterKind::Choice:
+            if (row.parameter == Parameter::LayerMode) return std::string(info(Layer{}.mode).id);
+            if (row.choices.empty()) break;  // a channel's mode: the habit of its layer
+            return std::string(row.choices[static_cast<std::size_t>(row.standard)].id);
+        case ParameterKind::Integer:
+        case ParameterKind::Number:
+        case ParameterKind::Color:
+        case ParameterKind::Vector:
+            return compact_text(json_of(static_cast<float>(row.standard)));
+        case ParameterKind::Text:
+            break;
+    }
+    return "the default";
+}
+
+/// @param key  of the value within the object that it is in
+std::string text_of(const Json* value, std::optional<Subject> subject, std::string_view key) {
+    if (!value) {
+        const auto parameter = subject ? parameter_from_id(*subject, key) : std::nullopt;
+        return parameter ? standard_text(info(*parameter)) : "the default";
+    }
     std::string text = value->is_string() ? value->get<std::string>() : compact_text(*value);
     return quoted_for_message(text, 80);
 }
@@ -43,42 +100,61 @@ std::string path_with(const std::string& path, const std::string& key) {
     return path + " " + key;
 }
 
-/// Calls `found(path, before, after)` for each value that differs; null where it is absent.
+/// A value of a document's text, absent (null) on one side or there on both.
+struct Compared {
+    std::string path = {};                          ///< as people read it
+    std::string key = {};                           ///< its last part
+    std::optional<Subject> subject = std::nullopt;  ///< whose parameter the key is
+    const Json* before = nullptr;
+    const Json* after = nullptr;
+};
+
+/// Whether the members are compared one by one even if one side has none of them.
+bool is_settings(const Json* value, std::optional<Subject> subject) {
+    return !value ||
+           (value->is_object() && (!value->contains("kind") || subject == Subject::Projection));
+}
+
+/// Calls `found` for each value that differs.
+/// @param within  whose parameters the members of these two are
 template <typename Found>
-void compare_json(const std::string& path, const Json* before, const Json* after,
-                  const Found& found) {
+void compare_json(const Compared& pair, std::optional<Subject> within, const Found& found) {
+    const Json* const before = pair.before;
+    const Json* const after = pair.after;
     if (before && after && *before == *after) return;
-    const auto is_settings = [](const Json* value) {
-        return !value || (value->is_object() && !value->contains("kind"));
-    };
     const bool both_objects = before && after && before->is_object() && after->is_object();
-    const bool objects = both_objects || (is_settings(before) && is_settings(after));
+    const bool objects =
+        both_objects || (is_settings(before, within) && is_settings(after, within));
     const bool lists = before && after && before->is_array() && after->is_array() &&
                        before->size() == after->size() && !before->empty() &&
                        before->front().is_object();
-    const auto member = [](const Json& object, const std::string& key) -> const Json* {
-        const auto it = object.find(key);
-        return it == object.end() ? nullptr : &*it;
+    const auto member = [](const Json* object, const std::string& key) -> const Json* {
+        if (!object) return nullptr;
+        const auto it = object->find(key);
+        return it == object->end() ? nullptr : &*it;
+    };
+    const auto compare_member = [&](const std::string& key) {
+        const Compared inner{path_with(pair.path, key), key, within, member(before, key),
+                             member(after, key)};
+        compare_json(inner, subject_behind(key, within, inner.after ? *inner.after : *inner.before),
+                     found);
     };
     if (objects) {
         static const Json none = Json::object();
-        const Json& old_object = before ? *before : none;
-        const Json& new_object = after ? *after : none;
-        for (const auto& [key, value] : new_object.items())
-            compare_json(path_with(path, key), member(old_object, key), &value, found);
-        for (const auto& [key, value] : old_object.items())
-            if (!new_object.contains(key))
-                compare_json(path_with(path, key), &value, nullptr, found);
+        for (const auto& [key, value] : (after ? *after : none).items()) compare_member(key);
+        for (const auto& [key, value] : (before ? *before : none).items())
+            if (!member(after, key)) compare_member(key);
     } else if (lists) {
         for (std::size_t i = 0; i < after->size(); ++i) {
             const Json& element = (*after)[i];
             const std::string name = element.contains("name")
                                          ? fmt::format("\"{}\"", element["name"].get<std::string>())
                                          : fmt::format("{}", i + 1);
-            compare_json(path_with(path, name), &(*before)[i], &element, found);
+            compare_json({path_with(pair.path, name), name, within, &(*before)[i], &element},
+                         within, found);
         }
     } else {
-        found(path, before, after);
+        found(pair);
     }
 }
 
@@ -103,10 +179,8 @@ class Comparison {
     void compare_scenes(const Document& before, const Document& after) {
         const Json old_scene = scene_json(before);
         const Json new_scene = scene_json(after);
-        compare_json("", &old_scene, &new_scene,
-                     [&](const std::string& path, const Json* was, const Json* is) {
-                         add("", "", path, was, is);
-                     });
+        compare_json({.before = &old_scene, .after = &new_scene}, std::nullopt,
+                     [&](const Compared& pair) { add("", "", pair); });
     }
 
   private:
@@ -134,10 +208,8 @@ class Comparison {
                           const Document& document_after, const Material& after) {
         const Json old_settings = settings_json(document_before, before);
         const Json new_settings = settings_json(document_after, after);
-        compare_json("", &old_settings, &new_settings,
-                     [&](const std::string& path, const Json* was, const Json* is) {
-                         add(after.name, "", path, was, is);
-                     });
+        compare_json({.before = &old_settings, .after = &new_settings}, Subject::Material,
+                     [&](const Compared& pair) { add(after.name, "", pair); });
         compare_lists(after.name, "", before.stack, after.stack);
     }
 
@@ -170,27 +242,37 @@ class Comparison {
         if (before == after) return;
         const Json old_layer = layer_json(before);
         const Json new_layer = layer_json(after);
-        compare_json("", &old_layer, &new_layer,
-                     [&](const std::string& place, const Json* was, const Json* is) {
-                         add(material, path, place, was, is);
-                     });
+        compare_json({.before = &old_layer, .after = &new_layer}, Subject::Layer,
+                     [&](const Compared& pair) { add(material, path, pair); });
         const auto* old_group = std::get_if<GroupContent>(&before->content);
         const auto* new_group = std::get_if<GroupContent>(&after->content);
         if (old_group && new_group)
             compare_lists(material, path, old_group->children, new_group->children);
     }
 
+    /// With what is on and off, and every value of a fill, said in so many words: their defaults
+    /// depend on the kind of the layer and on the channel.
     static Json layer_json(const LayerPtr& layer) {
-        Json json = layers_to_json({layer}, JsonIds::LeftOut)[0];
+        Layer copy = *layer;
+        const bool of_fill = !layer->is_group() && !layer->is_adjustment();
+        if (of_fill)
+            for (ChannelSettings& settings : copy.channels) settings.enabled = true;
+        Json json =
+            layers_to_json({std::make_shared<const Layer>(std::move(copy))}, JsonIds::LeftOut)[0];
+        for (const ChannelInfo& row : kChannels)
+            json["channels"][std::string(row.id)]["enabled"] =
+                at(layer->channels, row.channel).enabled;
+        json["height-blend"]["enabled"] = layer->height_blend.enabled;
         json.erase("layers");
         json.erase("open");  // of the list, not of the picture
         return json;
     }
 
-    void add(const std::string& material, const std::string& layer, const std::string& path,
-             const Json* was, const Json* is) {
+    void add(const std::string& material, const std::string& layer, const Compared& pair) {
+        const auto text = [&](const Json* value) { return text_of(value, pair.subject, pair.key); };
         found_.push_back(
-            {material, layer, fmt::format("{} is {}, was {}", path, text_of(is), text_of(was))});
+            {material, layer,
+             fmt::format("{} is {}, was {}", pair.path, text(pair.after), text(pair.before))});
     }
 
     std::vector<Difference> found_;

@@ -29,17 +29,35 @@ Nodes nodes_of(const Document* document) {
     return nodes;
 }
 
+std::size_t bytes_of_names(const std::vector<std::string>& names) {
+    std::size_t bytes = names.capacity() * sizeof(std::string);
+    for (const std::string& name : names) bytes += name.capacity();
+    return bytes;
+}
+
 std::size_t bytes_of_source(const Source& source) {
-    const auto* noise = std::get_if<ProceduralSource>(&source);
-    return noise ? noise->ramp.capacity() * sizeof(RampStop) : 0;
+    if (const auto* noise = std::get_if<ProceduralSource>(&source))
+        return noise->ramp.capacity() * sizeof(RampStop);
+    if (const auto* parts = std::get_if<GeometrySource>(&source))
+        return bytes_of_names(parts->meshes) + bytes_of_names(parts->materials);
+    return 0;
+}
+
+std::size_t bytes_of_lists(const AdjustmentSettings& adjustment) {
+    return adjustment.curve.capacity() * sizeof(CurvePoint) +
+           adjustment.gradient.capacity() * sizeof(RampStop);
 }
 
 std::size_t bytes_of_layer(const Layer& layer) {
     std::size_t bytes = sizeof(Layer) + layer.name.capacity();
     for (const ChannelSettings& settings : layer.channels)
         bytes += bytes_of_source(settings.source);
-    for (const MaskEntry& entry : layer.mask.entries)
+    for (const MaskEntry& entry : layer.mask.entries) {
         bytes += sizeof(MaskEntry) + entry.name.capacity() + bytes_of_source(entry.source);
+        if (entry.adjustment) bytes += bytes_of_lists(*entry.adjustment);
+    }
+    if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
+        bytes += bytes_of_lists(content->adjustment);
     return bytes;
 }
 

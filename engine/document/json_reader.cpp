@@ -269,7 +269,10 @@ float json_number(const Json& value, Parameter parameter, const std::string& poi
         faults.add(pointer, "is not a number");
         return 0.0f;
     }
-    const auto number = value.get<double>();
+    auto number = value.get<double>();
+    // Files have had decimals of what was always taken for the nearest whole number, and so do the
+    // places between the ends of a preset's knob.
+    if (info(parameter).kind == ParameterKind::Integer) number = std::round(number);
     if (Status status = check_range(parameter, number); !status) {
         faults.add(pointer, "is out of range: " + status.error().message);
         return 0.0f;

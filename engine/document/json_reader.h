@@ -108,7 +108,8 @@ class JsonObject {
     std::set<std::string, std::less<>> known_;
 };
 
-/// A finite number that is in the parameter's range; a fault at `pointer` otherwise.
+/// A finite number that is in the parameter's range, the nearest whole one where the parameter is
+/// whole; a fault at `pointer` otherwise.
 float json_number(const Json& value, Parameter parameter, const std::string& pointer,
                   JsonFaults& faults);
 

@@ -28,15 +28,16 @@ struct MaskEntryId {
     auto operator<=>(const MaskEntryId&) const = default;
 };
 
-/// How a mask entry joins what the entries before it made.
-enum class MaskCombine : std::uint8_t { Replace, Multiply, Add, Subtract, Lighten, Darken };
-
 struct MaskEntry {
     MaskEntryId id = {};
     std::string name = {};
     bool visible = true;
     Source source = ConstantSource{glm::vec3(1.0f, 0.0f, 0.0f)};
-    MaskCombine combine = MaskCombine::Multiply;
+    /// Set: the entry is what this makes of the mask before it. It has then no source and no levels
+    /// of its own, and mostly replaces.
+    std::optional<AdjustmentSettings> adjustment = {};
+    /// How the entry joins what those before it made; one that combines_masks.
+    BlendMode combine = BlendMode::Multiply;
     float opacity = 1.0f;  ///< 0 to 1: lerp between the mask without and with this entry
     bool invert = false;
     Levels levels = {};
@@ -94,8 +95,8 @@ struct Layer {
     std::string name = {};
     bool visible = true;
     bool locked = false;
-    /// Only where the next layer below that is not clipped covers: weight times that one's opacity
-    /// and mask. Hidden with it; alone at the bottom of a stack it makes no difference.
+    /// Only where the next layer below that is not clipped covers: weight times that one's opacity,
+    /// mask and content's cover. Hidden with it; alone at the bottom of a stack it does nothing.
     bool clipped = false;
     float opacity = 1.0f;                ///< 0 to 1
     BlendMode mode = BlendMode::Normal;  ///< of colours that state no mode of their own

@@ -270,18 +270,41 @@ AdjustmentSettings read_adjustment(JsonObject& parent) {
     return read;
 }
 
+/// An adjustment takes the place of what is there, unless it says otherwise.
+BlendMode read_combine(JsonObject& object, bool adjusts) {
+    const Json* value = object.find("combine");
+    if (!value) return adjusts ? BlendMode::Replace : MaskEntry{}.combine;
+    const auto mode = value->is_string() ? blend_mode_from_id(value->get_ref<const std::string&>())
+                                         : std::nullopt;
+    if (mode && combines_masks(*mode)) return *mode;
+    object.fault("combine", mode ? "does not apply to masks" : "is not a blend mode");
+    return MaskEntry{}.combine;
+}
+
+/// What the entry is: a source, or an adjustment of what lies before it.
+void read_entry_content(JsonObject& object, MaskEntry& entry) {
+    if (!object.find("adjustment")) {
+        if (const Json* source = object.require("source"))
+            entry.source =
+                read_source(std::nullopt, *source, object.pointer_to("source"), object.faults());
+        return;
+    }
+    entry.adjustment = read_adjustment(object);
+    if (object.find("source")) object.fault("source", "stands beside an adjustment");
+    note(check_mask_adjustment(entry), object.pointer_to("adjustment"), object.faults());
+}
+
 MaskEntry read_entry(const Json& json, const std::string& pointer, JsonFaults& faults) {
     JsonObject object(json, pointer, faults);
     MaskEntry entry;
     entry.id.value = static_cast<std::uint64_t>(object.integer("id", 1, kLargestId, 0));
-    entry.name = read_name(object);
     entry.visible = object.boolean("visible", entry.visible);
-    entry.combine = object.choice("combine", entry.combine);
     entry.opacity = object.number("opacity", Parameter::MaskEntryOpacity, entry.opacity);
     entry.invert = object.boolean("invert", entry.invert);
-    if (const Json* source = object.require("source"))
-        entry.source = read_source(std::nullopt, *source, object.pointer_to("source"), faults);
     entry.levels = read_levels(object);
+    read_entry_content(object, entry);
+    entry.name = object.has("name") ? read_name(object) : kind_name(entry);
+    entry.combine = read_combine(object, entry.adjustment.has_value());
     object.finish();
     return entry;
 }

@@ -186,14 +186,18 @@ std::string_view kind_of(const Layer& layer) {
 
 Json entry_to_json(const MaskEntry& entry, JsonIds ids) {
     const MaskEntry standard;
+    const BlendMode combine = entry.adjustment ? BlendMode::Replace : standard.combine;
     Json json = Json::object();
     if (ids == JsonIds::Kept) json["id"] = entry.id.value;
     json["name"] = entry.name;
     add_unless(json, "visible", entry.visible, standard.visible);
-    add_choice_unless(json, "combine", entry.combine, standard.combine);
+    if (entry.combine != combine) json["combine"] = info(entry.combine).id;
     add_unless(json, "opacity", entry.opacity, standard.opacity);
     add_unless(json, "invert", entry.invert, standard.invert);
-    json["source"] = source_to_json(std::nullopt, entry.source);
+    if (entry.adjustment)
+        json["adjustment"] = adjustment_to_json(*entry.adjustment);
+    else
+        json["source"] = source_to_json(std::nullopt, entry.source);
     if (entry.levels != standard.levels) json["levels"] = levels_to_json(entry.levels);
     return json;
 }

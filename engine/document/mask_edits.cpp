@@ -57,12 +57,25 @@ Edit entry_edit(const Material& material, const Layer& layer, const MaskEntry& e
                            });
 }
 
-MaskEntry entry_named(std::string_view name, Source source) {
+MaskEntry entry_of(Source source) {
     MaskEntry entry;
-    entry.name = name;
+    entry.name = kind_name(source);
     entry.source = std::move(source);
     return entry;
 }
+
+struct KindName {
+    std::string_view operator()(const ConstantSource&) const { return "Value"; }
+    std::string_view operator()(const ImageSource&) const { return "Image"; }
+    std::string_view operator()(const ProceduralSource& source) const {
+        return choice(source.kind).label;
+    }
+    std::string_view operator()(const ReliefSource& source) const {
+        return choice(source.kind).label;
+    }
+    std::string_view operator()(const ReferenceSource&) const { return "Layer"; }
+    std::string_view operator()(const GeometrySource&) const { return "Parts"; }
+};
 
 }  // namespace
 
@@ -99,28 +112,49 @@ Edit clear_mask(const Material& material, const Layer& layer) {
                      });
 }
 
+std::string kind_name(const Source& source) {
+    return std::string(std::visit(KindName(), source));
+}
+
+std::string kind_name(const MaskEntry& entry) {
+    if (entry.adjustment) return std::string(choice(entry.adjustment->kind).label);
+    return kind_name(entry.source);
+}
+
 MaskEntry value_mask_entry() {
-    return entry_named("Value", ConstantSource{{1.0f, 0.0f, 0.0f}});
+    return entry_of(ConstantSource{{1.0f, 0.0f, 0.0f}});
 }
 
 MaskEntry image_mask_entry(const ImageAsset& image) {
     ImageSource source;
     source.image = image.hash;
-    return entry_named(check_name(image.name) ? std::string_view(image.name) : "Image", source);
+    MaskEntry entry = entry_of(source);
+    if (check_name(image.name)) entry.name = image.name;
+    return entry;
 }
 
 MaskEntry procedural_mask_entry(ProceduralKind kind) {
     ProceduralSource source;
     source.kind = kind;
-    return entry_named(choice(kind).label, source);
+    return entry_of(source);
 }
 
 MaskEntry relief_mask_entry(ReliefKind kind) {
-    return entry_named(choice(kind).label, ReliefSource{.kind = kind});
+    return entry_of(ReliefSource{.kind = kind});
 }
 
 MaskEntry geometry_mask_entry(const std::string& part) {
-    return entry_named(part, GeometrySource{.meshes = {part}});
+    MaskEntry entry = entry_of(GeometrySource{.meshes = {part}});
+    entry.name = part;
+    return entry;
+}
+
+MaskEntry adjustment_mask_entry(AdjustmentKind kind) {
+    MaskEntry entry;
+    entry.name = choice(kind).label;
+    entry.adjustment = AdjustmentSettings{.kind = kind};
+    entry.combine = BlendMode::Replace;
+    return entry;
 }
 
 MaskEntryId next_mask_entry_id(const Document& document) {
@@ -192,7 +226,7 @@ Edit set_mask_entry_visible(const Material& material, const Layer& layer, const 
 }
 
 Edit set_mask_entry_combine(const Material& material, const Layer& layer, const MaskEntry& entry,
-                            MaskCombine combine) {
+                            BlendMode combine) {
     return entry_edit(material, layer, entry, info(Parameter::MaskEntryCombine).label, {},
                       &MaskEntry::combine, combine);
 }
@@ -214,6 +248,23 @@ Edit set_mask_entry_levels(const Material& material, const Layer& layer, const M
                            const Levels& levels) {
     return entry_edit(material, layer, entry, "Levels", {"mask-entry.levels", entry.id.value},
                       &MaskEntry::levels, levels);
+}
+
+Edit set_mask_entry_adjustment(const Material& material, const Layer& layer, const MaskEntry& entry,
+                               const AdjustmentSettings& adjustment, Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    const bool merges = row.kind != ParameterKind::Choice;
+    return entry_list_edit(
+        material, layer, entry, fmt::format("{} of mask entry {}", row.label, entry.name),
+        merges ? MergeKey{fmt::format("mask-entry.{}", row.id), entry.id.value} : MergeKey{},
+        [adjustment](std::vector<MaskEntry>& entries, std::size_t index, std::uint64_t&) -> Status {
+            MaskEntry& changed = entries[index];
+            if (!changed.adjustment)
+                return failure("mask entry {} is not an adjustment",
+                               quoted_for_message(changed.name, 80));
+            changed.adjustment = adjustment;
+            return {};
+        });
 }
 
 }  // namespace patina

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "document/edit.h"
+#include "document/parameters.h"
 
 namespace patina {
 
@@ -20,6 +21,11 @@ Edit set_mask_base(const Material& material, const Layer& layer, float base);
 /// Takes all entries away: the layer covers everything again.
 Edit clear_mask(const Material& material, const Layer& layer);
 
+/// What an entry is called that nobody has named: the kind of its source.
+std::string kind_name(const Source& source);
+/// The same of an entry: of its source or its adjustment.
+std::string kind_name(const MaskEntry& entry);
+
 /// New entries for add_mask_entry, named for what they are.
 MaskEntry value_mask_entry();
 MaskEntry image_mask_entry(const ImageAsset& image);
@@ -27,6 +33,8 @@ MaskEntry procedural_mask_entry(ProceduralKind kind);
 MaskEntry relief_mask_entry(ReliefKind kind);
 /// Of one part of the model.
 MaskEntry geometry_mask_entry(const std::string& part);
+/// Of what the entries before it make; of a kind that adjusts_masks.
+MaskEntry adjustment_mask_entry(AdjustmentKind kind);
 
 /// The id that the next mask entry added to `document` gets.
 MaskEntryId next_mask_entry_id(const Document& document);
@@ -45,7 +53,7 @@ Edit rename_mask_entry(const Material& material, const Layer& layer, const MaskE
 Edit set_mask_entry_visible(const Material& material, const Layer& layer, const MaskEntry& entry,
                             bool visible);
 Edit set_mask_entry_combine(const Material& material, const Layer& layer, const MaskEntry& entry,
-                            MaskCombine combine);
+                            BlendMode combine);
 /// 0 to 1.
 Edit set_mask_entry_opacity(const Material& material, const Layer& layer, const MaskEntry& entry,
                             float opacity);
@@ -55,5 +63,9 @@ Edit set_mask_entry_invert(const Material& material, const Layer& layer, const M
 /// drag of any of the five is one step.
 Edit set_mask_entry_levels(const Material& material, const Layer& layer, const MaskEntry& entry,
                            const Levels& levels);
+/// Of an entry that is an adjustment. `parameter`: what is changed, which names the step; drags of
+/// one merge, of what is no choice.
+Edit set_mask_entry_adjustment(const Material& material, const Layer& layer, const MaskEntry& entry,
+                               const AdjustmentSettings& adjustment, Parameter parameter);
 
 }  // namespace patina

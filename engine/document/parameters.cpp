@@ -2,6 +2,7 @@
 #include "document/parameters.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace patina {
 namespace {
@@ -21,7 +22,7 @@ constexpr std::array kParameters = {
     ParameterInfo{.parameter = Parameter::LayerLocked, .subject = Subject::Layer, .id = "locked", .label = "Locked", .kind = Switch,
         .tooltip = "A locked layer, and all that a locked group holds, cannot be changed."},
     ParameterInfo{.parameter = Parameter::LayerClipped, .subject = Subject::Layer, .id = "clipped", .label = "Clip to layer below", .kind = Switch,
-        .tooltip = "Covers only where the next unclipped layer below does, by its opacity and mask."},
+        .tooltip = "Covers only where the next unclipped layer below does: by opacity, mask and content."},
     ParameterInfo{.parameter = Parameter::LayerOpacity, .subject = Subject::Layer, .id = "opacity", .label = "Opacity", .kind = Number, .standard = 1.0, .display_scale = 100.0, .decimals = 0, .unit = "%",
         .tooltip = "How strongly the layer covers what lies below, in all channels. 0 to 100 %."},
     ParameterInfo{.parameter = Parameter::LayerMode, .subject = Subject::Layer, .id = "mode", .label = "Blend mode", .kind = ParameterKind::Choice,
@@ -74,8 +75,8 @@ constexpr std::array kParameters = {
         .tooltip = "What is above and below the image."},
     ParameterInfo{.parameter = Parameter::ImageFilter, .subject = Subject::Image, .id = "filter", .label = "Filter", .kind = ParameterKind::Choice, .choices = kFilters,
         .tooltip = "Between pixels: smooth, or the nearest pixel as it is."},
-    ParameterInfo{.parameter = Parameter::ImageMultiply, .subject = Subject::Image, .id = "multiply", .label = "Multiply", .kind = Vector, .minimum = -1000.0, .maximum = 1000.0, .standard = 1.0,
-        .tooltip = "The image's numbers are multiplied by this. -1000 to 1000."},
+    ParameterInfo{.parameter = Parameter::ImageMultiply, .subject = Subject::Image, .id = "multiply", .label = "Strength", .kind = Vector, .minimum = -1000.0, .maximum = 1000.0, .standard = 1.0, .unit = "×",
+        .tooltip = "The image's numbers are multiplied by this; of a normal map, its slopes. -1000 to 1000."},
     ParameterInfo{.parameter = Parameter::ImageAdd, .subject = Subject::Image, .id = "add", .label = "Add", .kind = Vector, .minimum = -1000.0, .maximum = 1000.0,
         .tooltip = "Added to the image's numbers after they are multiplied. -1000 to 1000."},
 
@@ -97,8 +98,8 @@ constexpr std::array kParameters = {
         .tooltip = "The noise or pattern, from black to white before its ramp."},
     ParameterInfo{.parameter = Parameter::ProceduralSeed, .subject = Subject::Procedural, .id = "seed", .label = "Seed", .kind = Integer, .maximum = 4294967295.0, .step = 1.0, .decimals = 0,
         .tooltip = "Another number, another pattern of the same kind."},
-    ParameterInfo{.parameter = Parameter::ProceduralScale, .subject = Subject::Procedural, .id = "scale", .label = "Scale", .kind = Number, .minimum = 1.0, .maximum = 512.0, .standard = 8.0, .step = 1.0, .curve = SliderCurve::Logarithmic,
-        .tooltip = "Cells across the texture, 1 to 512. Whole numbers tile."},
+    ParameterInfo{.parameter = Parameter::ProceduralScale, .subject = Subject::Procedural, .id = "scale", .label = "Scale", .kind = Integer, .minimum = 1.0, .maximum = 512.0, .standard = 8.0, .step = 1.0, .decimals = 0, .curve = SliderCurve::Logarithmic,
+        .tooltip = "Cells across the texture, 1 to 512: a whole number, so that it tiles."},
     ParameterInfo{.parameter = Parameter::ProceduralOctaves, .subject = Subject::Procedural, .id = "octaves", .label = "Octaves", .kind = Integer, .minimum = 1.0, .maximum = 10.0, .standard = 4.0, .step = 1.0, .decimals = 0,
         .tooltip = "Layers of finer and finer detail, 1 to 10."},
     ParameterInfo{.parameter = Parameter::ProceduralContrast, .subject = Subject::Procedural, .id = "contrast", .label = "Contrast", .kind = Number, .minimum = -1.0,
@@ -146,7 +147,7 @@ constexpr std::array kParameters = {
         .tooltip = "What the mask entry is called."},
     ParameterInfo{.parameter = Parameter::MaskEntryVisible, .subject = Subject::MaskEntry, .id = "visible", .label = "Visible", .kind = Switch, .standard = 1.0,
         .tooltip = "A hidden entry is left out of the mask."},
-    ParameterInfo{.parameter = Parameter::MaskEntryCombine, .subject = Subject::MaskEntry, .id = "combine", .label = "Combine", .kind = ParameterKind::Choice, .standard = 1.0, .choices = kMaskCombines,
+    ParameterInfo{.parameter = Parameter::MaskEntryCombine, .subject = Subject::MaskEntry, .id = "combine", .label = "Combine", .kind = ParameterKind::Choice,
         .tooltip = "How the entry joins what the entries before it made."},
     ParameterInfo{.parameter = Parameter::MaskEntryOpacity, .subject = Subject::MaskEntry, .id = "opacity", .label = "Opacity", .kind = Number, .standard = 1.0, .display_scale = 100.0, .decimals = 0, .unit = "%",
         .tooltip = "How much of the entry's effect is kept. 0 to 100 %."},
@@ -188,7 +189,7 @@ constexpr std::array kParameters = {
         .tooltip = "How strongly differences within the radius are raised. 0 to 500 %."},
     ParameterInfo{.parameter = Parameter::AdjustmentDistance, .subject = Subject::Adjustment, .id = "distance", .label = "Distance", .kind = Number, .maximum = 100.0, .standard = 10.0, .step = 0.5, .decimals = 1, .unit = "‰",
         .tooltip = "How far a texel moves at most, in thousandths of the texture's side: 0 to 100 ‰."},
-    ParameterInfo{.parameter = Parameter::AdjustmentScale, .subject = Subject::Adjustment, .id = "scale", .label = "Scale", .kind = Number, .minimum = 1.0, .maximum = 128.0, .standard = 8.0, .step = 1.0, .decimals = 0, .curve = SliderCurve::Logarithmic,
+    ParameterInfo{.parameter = Parameter::AdjustmentScale, .subject = Subject::Adjustment, .id = "scale", .label = "Scale", .kind = Integer, .minimum = 1.0, .maximum = 128.0, .standard = 8.0, .step = 1.0, .decimals = 0, .curve = SliderCurve::Logarithmic,
         .tooltip = "Cells of the noise across the texture, 1 to 128, in whole numbers."},
     ParameterInfo{.parameter = Parameter::AdjustmentOctaves, .subject = Subject::Adjustment, .id = "octaves", .label = "Octaves", .kind = Integer, .minimum = 1.0, .maximum = 10.0, .standard = 3.0, .step = 1.0, .decimals = 0,
         .tooltip = "Layers of finer and finer bends, 1 to 10."},
@@ -269,6 +270,15 @@ constexpr bool rows_match_enumerators() {
 }
 static_assert(rows_match_enumerators(), "kParameters has one row per enumerator, in their order");
 
+/// What a file has a number in, to be written behind it. Angles of lights are radians, as glTF has
+/// them, and shown in degrees.
+std::string_view stored_unit(const ParameterInfo& row) {
+    if (row.display_scale == kDegreesPerRadian) return " radians";
+    if (row.display_scale != 1.0) return "";
+    if (row.unit == "°") return " degrees";
+    return row.unit == "m" ? " metres" : "";
+}
+
 }  // namespace
 
 std::span<const ParameterInfo> parameters() {
@@ -303,8 +313,12 @@ Parameter value_parameter(std::optional<Channel> channel) {
 
 Status check_range(Parameter parameter, double value) {
     const ParameterInfo& row = info(parameter);
-    if (value >= row.minimum && value <= row.maximum) return {};  // false for NaN
-    return failure("{} must be {} to {}, got {}", row.label, row.minimum, row.maximum, value);
+    const bool within = value >= row.minimum && value <= row.maximum;  // false for NaN
+    if (row.kind == ParameterKind::Integer && within && value != std::round(value))
+        return failure("{} must be a whole number, got {}", row.label, value);
+    if (within) return {};
+    return failure("{} must be {} to {}{}, got {}", row.label, row.minimum, row.maximum,
+                   stored_unit(row), value);
 }
 
 }  // namespace patina

@@ -216,8 +216,8 @@ std::optional<Parameter> parameter_from_id(Subject subject, std::string_view id)
 /// The parameter that the value of a channel's source is one of; of a mask's when unset.
 Parameter value_parameter(std::optional<Channel> channel);
 
-/// Whether a number (or one component) is in the parameter's range; NaN is not. The failure says
-/// "Opacity must be 0 to 1, got 3".
+/// Whether a number (or one component) is in the parameter's range, and whole where the parameter
+/// is; NaN is not. The failure says "Opacity must be 0 to 1, got 3".
 Status check_range(Parameter parameter, double value);
 
 }  // namespace patina

@@ -63,10 +63,7 @@ class LayerPlaceFinder {
             return below_owner(*channel, path.subspan(1), {"enabled", "source", "mode", "opacity"});
         }
         if (path[0] == "mask" && path.size() > 2)
-            if (Json* const entry = entry_of(path[1]))
-                return below_owner(
-                    *entry, path.subspan(2),
-                    {"name", "visible", "combine", "opacity", "invert", "source", "levels"});
+            if (Json* const entry = entry_of(path[1])) return below_entry(*entry, path.subspan(2));
         return below(layer_, path);
     }
 
@@ -84,6 +81,16 @@ class LayerPlaceFinder {
         // One that says nothing of its source has a constant.
         if (!owner.contains("source")) return no_setting_of_a_constant(path[0]);
         return below(owner["source"], path);
+    }
+
+    static Result<Json*> below_entry(Json& entry, Path path) {
+        if (!entry.contains("adjustment"))
+            return below_owner(
+                entry, path,
+                {"name", "visible", "combine", "opacity", "invert", "source", "levels"});
+        if (among({"name", "visible", "combine", "opacity", "invert", "adjustment"}, path[0]))
+            return below(entry, path);
+        return below(entry["adjustment"], path);
     }
 
     static tl::unexpected<Error> no_setting_of_a_constant(const std::string& key) {

@@ -2,9 +2,11 @@
 #include "document/source_edits.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "document/change.h"
 #include "document/check.h"
+#include "document/scene_edits.h"
 
 namespace patina {
 namespace {
@@ -14,14 +16,15 @@ SourceUse use_of(const SourcePlace& place) {
     return channel ? SourceUse(*channel) : std::nullopt;
 }
 
-/// Null when the mask has no such entry.
+/// Null when the mask has no such entry, or one that is an adjustment.
 Source* source_in(Layer& layer, const SourcePlace& place) {
     if (const auto* channel = std::get_if<Channel>(&place.part))
         return &at(layer.channels, *channel).source;
     const auto id = std::get<MaskEntryId>(place.part);
     const auto entry = std::find_if(layer.mask.entries.begin(), layer.mask.entries.end(),
                                     [id](const MaskEntry& each) { return each.id == id; });
-    return entry == layer.mask.entries.end() ? nullptr : &entry->source;
+    const bool there = entry != layer.mask.entries.end() && !entry->adjustment;
+    return there ? &entry->source : nullptr;
 }
 
 /// "Contrast of mask entry Drips", "Base colour contrast of Tarnish".
@@ -51,7 +54,7 @@ Edit source_edit(const SourcePlace& place, std::string label, MergeKey merge_key
                                       Source* source = source_in(copy, place);
                                       if (!source)
                                           return failure(
-                                              "the mask of {} has no such entry any more",
+                                              "the mask of {} has no such source any more",
                                               quoted_for_message(copy.name, 80));
                                       if (Status status = change(*source, before); !status)
                                           return status;
@@ -135,6 +138,22 @@ const Source* find_source(const Material& material, const SourcePlace& place) {
     for (const MaskEntry& entry : layer->mask.entries)
         if (entry.id == std::get<MaskEntryId>(place.part)) return &entry.source;
     return nullptr;
+}
+
+Edit at_all(const std::vector<SourcePlace>& places,
+            const std::function<Edit(const SourcePlace&)>& edit) {
+    assert(!places.empty());
+    Edit first = edit(places.front());
+    if (places.size() == 1) return first;
+    Edits edits;
+    for (const SourcePlace& place : places) edits.push_back(edit(place));
+    Edit all = in_one_step(fmt::format("{} and {} more", first.label, places.size() - 1),
+                           std::move(edits));
+    // As many each time, so that a drag of all does not run on into one of fewer.
+    all.merge_key = first.merge_key;
+    if (!all.merge_key.action.empty())
+        all.merge_key.action += fmt::format("/and {} more", places.size() - 1);
+    return all;
 }
 
 Edit set_source(const SourcePlace& place, Source source) {

@@ -4,6 +4,7 @@
 /// Edits of a source, be it of a layer's channel or of a mask entry. See edits.h for what holds for
 /// all edits. An edit of a kind of source that is not there (the octaves of an image) is refused.
 
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,6 +26,11 @@ SourcePlace source_place(const Material& material, const Layer& layer, const Mas
 
 /// The source there, or null when the layer or the entry is gone.
 const Source* find_source(const Material& material, const SourcePlace& place);
+
+/// The same edit of several sources in one step; a drag of all is one step as a drag of one is.
+/// @param places  one or more; the label names the first
+Edit at_all(const std::vector<SourcePlace>& places,
+            const std::function<Edit(const SourcePlace&)>& edit);
 
 /// Puts a whole source there, such as one of another kind. An image has to be in the document.
 Edit set_source(const SourcePlace& place, Source source);

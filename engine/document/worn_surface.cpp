@@ -100,14 +100,4 @@ std::vector<std::string> missing_of_surface(const Material& material, const UvSu
     return {missing.begin(), missing.end()};
 }
 
-std::vector<std::string> warnings_of_surface(const Document& document, const Material& material,
-                                             const UvSurfacePtr& last) {
-    const UvSurfacePtr surface = surface_read(document, material, last);
-    if (surface == nullptr) return {};
-    std::vector<std::string> lines = missing_of_surface(material, *surface);
-    for (std::string& line : lines)
-        line = fmt::format("material \"{}\": {}", quoted_for_message(material.name, 60), line);
-    return lines;
-}
-
 }  // namespace patina

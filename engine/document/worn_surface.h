@@ -31,8 +31,4 @@ bool reads_surface(const Material& material);
 /// What of it is not there, one line each: no part with UVs, names that no part has.
 std::vector<std::string> missing_of_surface(const Material& material, const UvSurface& surface);
 
-/// The same of the surface that the material lies on, each line with the material's name.
-std::vector<std::string> warnings_of_surface(const Document& document, const Material& material,
-                                             const UvSurfacePtr& last = nullptr);
-
 }  // namespace patina

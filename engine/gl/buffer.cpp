@@ -89,6 +89,13 @@ VertexArray VertexArray::make(const VertexArrayDescription& description) {
     return array;
 }
 
+void VertexArray::reorder(std::span<const std::uint32_t> indices) {
+    assert(indices_ && static_cast<int>(indices.size()) == count_);
+    glBindVertexArray(name());
+    indices_->write(std::as_bytes(indices));
+    glBindVertexArray(0);
+}
+
 std::uint64_t VertexArray::bytes() const {
     return (vertices_ ? vertices_->bytes() : 0) + (indices_ ? indices_->bytes() : 0);
 }

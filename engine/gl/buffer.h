@@ -65,6 +65,9 @@ class VertexArray {
   public:
     static VertexArray make(const VertexArrayDescription& description);
 
+    /// Replaces the indices by as many others: the same triangles in another order.
+    void reorder(std::span<const std::uint32_t> indices);
+
     /// How many indices, or vertices where there are none, a draw of everything takes.
     int count() const { return count_; }
     bool indexed() const { return indices_.has_value(); }

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 
 namespace patina::gl {
 namespace {
@@ -33,14 +34,30 @@ GLint minifying_filter(Filter filter, MipFilter mip) {
     return GL_NEAREST;
 }
 
+bool draws_in_software() {
+    const GLubyte* renderer = glGetString(GL_RENDERER);
+    return renderer != nullptr && is_software_renderer(reinterpret_cast<const char*>(renderer));
+}
+
 void set_anisotropy(GLuint name, float wanted) {
-    if (wanted <= 1.0f || !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return;
+    if (wanted <= 1.0f || draws_in_software() ||
+        !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+        return;
     GLfloat largest = 1.0f;
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &largest);
     glSamplerParameterf(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(wanted, largest));
 }
 
 }  // namespace
+
+bool is_software_renderer(std::string_view renderer) {
+    // Mesa's three, Google's, and what Windows and macOS have where there is no driver.
+    constexpr std::array<std::string_view, 6> kNames = {"llvmpipe",    "softpipe",    "swrast",
+                                                        "SwiftShader", "GDI Generic", "Software"};
+    return std::any_of(kNames.begin(), kNames.end(), [&](std::string_view name) {
+        return renderer.find(name) != std::string_view::npos;
+    });
+}
 
 Sampler Sampler::make(const SamplerDescription& description) {
     GLuint name = 0;

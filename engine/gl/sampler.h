@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "gl/object.h"
 
@@ -19,8 +20,12 @@ struct SamplerDescription {
     Filter magnify = Filter::Linear;
     Filter minify = Filter::Linear;
     MipFilter mip = MipFilter::None;
-    float anisotropy = 1.0f;  // 1 to 16; taken down to what the driver has
+    float anisotropy = 1.0f;  // 1 to 16; taken down to what the driver has, and to 1 on the CPU
 };
+
+/// Whether that is the GL_RENDERER of a driver that draws on the CPU. Anisotropy doubles the time
+/// of a G-buffer there.
+bool is_software_renderer(std::string_view renderer);
 
 /// How a texture is read, apart from the texture.
 class Sampler {

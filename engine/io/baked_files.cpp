@@ -4,7 +4,6 @@
 #include "composite/dilate.h"
 #include "core/formulae/formulae.h"
 #include "io/last_channel.h"
-#include "io/png_writer.h"
 
 namespace patina::io {
 namespace {
@@ -42,14 +41,15 @@ Result<MapSet> bake_for_files(const Program& program, const UvSurfacePtr& island
 
 Result<EncodedMaps> bake_and_encode(const Program& program, const UvSurfacePtr& islands,
                                     ImageProvider& images, int size,
-                                    const std::vector<BakedMap>& wanted, const Progress& progress) {
+                                    const std::vector<BakedMap>& wanted, const PngOptions& options,
+                                    const Progress& progress) {
     const auto baked = bake_for_files(program, islands, images, size, wanted, progress);
     if (!baked) return passed_on(baked);
     EncodedMaps encoded;
     for (const BakedMap map : wanted) {
         auto file = std::make_shared<EncodedMap>();
         file->image = (*baked)[map];
-        auto png = encode_png(*file->image, {}, progress);
+        auto png = encode_png(*file->image, options, progress);
         if (!png) return passed_on(png);
         file->png = std::make_shared<const Bytes>(std::move(*png));
         file->pixels = content_hash(*file->image);

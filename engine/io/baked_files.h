@@ -9,6 +9,7 @@
 
 #include "composite/composite.h"
 #include "core/files.h"
+#include "io/png_writer.h"
 
 namespace patina::io {
 
@@ -28,7 +29,8 @@ Result<MapSet> bake_for_files(const Program& program, const UvSurfacePtr& island
 /// The same, encoded.
 Result<EncodedMaps> bake_and_encode(const Program& program, const UvSurfacePtr& islands,
                                     ImageProvider& images, int size,
-                                    const std::vector<BakedMap>& wanted, const Progress& progress);
+                                    const std::vector<BakedMap>& wanted, const PngOptions& options,
+                                    const Progress& progress);
 
 /// The mean of what a slot reads of its map, as the slot's factor (SlotStatement::factor): colours
 /// in linear light.

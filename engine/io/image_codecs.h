@@ -11,6 +11,13 @@
 
 namespace patina::io {
 
+/// How the module writes a picture.
+struct CodecEncoding {
+    ImageFormat format = ImageFormat::Tiff;
+    bool half = false;      ///< whether floats are written as half floats
+    int jpeg_quality = 90;  ///< 1 to 100
+};
+
 /// The functions of the module (engine/io/openimageio). Thread-safe; none throws.
 struct ImageCodecs {
     /// @param encoded  must outlive what is returned
@@ -18,8 +25,7 @@ struct ImageCodecs {
     /// @param format   OpenImageIO's name of it
     Result<std::unique_ptr<OpenedImage>> (*open)(std::span<const std::byte> encoded,
                                                  std::string_view name, std::string_view format);
-    /// @param half  whether floats are written as half floats
-    Result<Bytes> (*encode)(const Image& image, ImageFormat format, bool half);
+    Result<Bytes> (*encode)(const Image& image, const CodecEncoding& encoding);
 };
 
 /// The one symbol of the module: a function of this type.

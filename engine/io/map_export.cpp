@@ -30,6 +30,19 @@ bool holds_bytes(const MapExportOptions& options) {
     return !keeps_floats(options) && bits_of(options) == 8;
 }
 
+ImageFormat format_of(const PackedMap& map, const MapExportOptions& options) {
+    const auto named = options.format_of_map.find(map.id);
+    if (named != options.format_of_map.end()) return named->second;
+    const bool spoilt = options.format == ImageFormat::Jpeg && map.has_normals();
+    return spoilt ? ImageFormat::Png : options.format;
+}
+
+/// Whether the fourth channel of files cannot be a plain number: floats are multiplied by it, JPEG
+/// has none.
+bool lacks_alpha(const PackedMap& map, const MapExportOptions& options) {
+    return keeps_floats(options) || format_of(map, options) == ImageFormat::Jpeg;
+}
+
 SampleType sample_type_of(const MapExportOptions& options) {
     if (keeps_floats(options)) return SampleType::F32;
     return holds_bytes(options) ? SampleType::U8 : SampleType::U16;
@@ -38,13 +51,12 @@ SampleType sample_type_of(const MapExportOptions& options) {
 /// Of maps that are made at once.
 constexpr std::uint64_t kBytesTogether = std::uint64_t{512} << 20;
 
-/// Opacity in a file of its own: in floats alpha would be multiplied into the colours.
+/// Opacity in a file of its own, where that of the colours has no place for it.
 std::vector<PackedMap> maps_to_write(const MapExportOptions& options) {
     std::vector<PackedMap> maps(options.packing->maps.begin(), options.packing->maps.end());
-    if (!keeps_floats(options)) return maps;
     bool has_opacity = false;
     for (PackedMap& map : maps) {
-        if (!map.has_opacity()) continue;
+        if (!map.has_opacity() || !lacks_alpha(map, options)) continue;
         has_opacity = true;
         map.channels = 3;
     }
@@ -201,7 +213,7 @@ class Exporter {
     Status write_bytes(const Material& material, const Wanted& wanted, const BakedBytes& baked,
                        int size) {
         const auto same = same_map(wanted.map, baked.maps, size);
-        if (same && options_.format == ImageFormat::Png)
+        if (same && format_of(wanted.map, options_) == ImageFormat::Png)
             if (const auto& file = baked.encoded[static_cast<std::size_t>(*same)])
                 return write_file(material, wanted, *file->png);
         if (same) return write_image(material, wanted, *baked.maps[*same]);
@@ -212,7 +224,9 @@ class Exporter {
     }
 
     Status write_image(const Material& material, const Wanted& wanted, const Image& image) {
-        const auto bytes = encode_image(image, options_.format, progress_);
+        const auto bytes = encode_image(
+            image, format_of(wanted.map, options_),
+            {.png_level = options_.png_level, .jpeg_quality = options_.jpeg_quality}, progress_);
         if (!bytes) return passed_on(bytes);
         return write_file(material, wanted, *bytes);
     }
@@ -227,7 +241,8 @@ class Exporter {
         if (islands != nullptr) dilate(*islands, image);
         if (wanted.map.has_opacity() && last_is_one(image)) image = without_last(image);
         if (is_opacity_alone(wanted.map) && last_is_one(image)) return {};
-        const bool half = options_.format == ImageFormat::Exr && bits_of(options_) == 16;
+        const bool half =
+            format_of(wanted.map, options_) == ImageFormat::Exr && bits_of(options_) == 16;
         if (!half) return write_image(material, wanted, image);
         const auto bytes = encode_half_exr(image);
         if (!bytes) return passed_on(bytes);
@@ -236,16 +251,16 @@ class Exporter {
 
     Status write_file(const Material& material, const Wanted& wanted, const Bytes& bytes) {
         const auto path =
-            unused_path(fmt::format("{}_{}", safe_file_name(material.name, 60), wanted.map.id));
+            unused_path(fmt::format("{}_{}", safe_file_name(material.name, 60), wanted.map.id),
+                        format_of(wanted.map, options_));
         if (const Status written = write_file_atomically(path, bytes); !written) return written;
         written_.emplace(wanted.place, path);
         return {};
     }
 
     /// Two materials may have names that become the same.
-    std::filesystem::path unused_path(const std::string& name) {
-        const std::string_view extension =
-            kImageFormats[static_cast<std::size_t>(options_.format)].id;
+    std::filesystem::path unused_path(const std::string& name, ImageFormat format) {
+        const std::string_view extension = kImageFormats[static_cast<std::size_t>(format)].id;
         std::string unused = name;
         for (int i = 2; !names_.insert(unused).second; ++i) unused = fmt::format("{}-{}", name, i);
         return folder_ / fmt::format("{}.{}", unused, extension);
@@ -261,6 +276,25 @@ class Exporter {
     std::map<std::size_t, std::filesystem::path> written_;  ///< of the material at hand
 };
 
+/// Whether one map can have a format of its own beside the others' kind of numbers.
+Status check_format_of(const std::string& id, ImageFormat format, const MapExportOptions& options) {
+    std::string known;
+    bool found = false;
+    for (const PackedMap& map : maps_to_write(options)) {
+        known += (known.empty() ? "" : ", ") + std::string(map.id);
+        found = found || map.id == id;
+    }
+    if (!found)
+        return failure("packing {} has no map {}; there are: {}", options.packing->id,
+                       quoted_for_message(id, 60), known);
+    const bool floats = keeps_floats(options);
+    const bool holds = format == ImageFormat::Tiff || (format == ImageFormat::Exr) == floats;
+    if (holds && (format != ImageFormat::Jpeg || bits_of(options) == 8)) return {};
+    return failure("{} cannot be {} beside maps of {} {}", id,
+                   kImageFormats[static_cast<std::size_t>(format)].id, bits_of(options),
+                   floats ? "bits in floats" : "bits");
+}
+
 }  // namespace
 
 Status check_map_options(const MapExportOptions& options) {
@@ -271,14 +305,30 @@ Status check_map_options(const MapExportOptions& options) {
         return failure("png holds 8 or 16 bits; use tif or exr for 32");
     if (options.format == ImageFormat::Exr && bits == 8)
         return failure("exr holds 16 or 32 bits; use png or tif for 8");
-    if (!keeps_floats(options)) return {};
+    if (options.format == ImageFormat::Jpeg && bits != 8)
+        return failure("jpg holds 8 bits; use png, tif or exr for {}", bits);
+    for (const auto& [id, format] : options.format_of_map)
+        if (const Status good = check_format_of(id, format, options); !good) return good;
     for (const PackedMap& map : options.packing->maps)
-        if (map.channels == 4 && !map.has_opacity())
+        if (map.channels == 4 && !map.has_opacity() && lacks_alpha(map, options))
             return failure(
-                "packing {} keeps data in alpha, which files of floats multiply into "
-                "the other channels; use png, or tif of 8 or 16 bits",
-                options.packing->id);
+                "packing {} keeps data in the alpha of {}, which jpg has not and files of floats "
+                "multiply into the other channels; use png, or tif of 8 or 16 bits",
+                options.packing->id, map.id);
     return {};
+}
+
+std::vector<std::string> warnings_of(const MapExportOptions& options) {
+    std::vector<std::string> lines;
+    for (const PackedMap& map : options.packing->maps) {
+        if (!map.has_normals()) continue;
+        if (format_of(map, options) == ImageFormat::Jpeg)
+            lines.push_back(fmt::format("{} as jpg: its blocks will show in the light", map.id));
+        else if (options.format == ImageFormat::Jpeg && !options.format_of_map.contains(map.id))
+            lines.push_back(fmt::format(
+                "{0} stays png, since jpg spoils normals; --map-format {0}=jpg insists", map.id));
+    }
+    return lines;
 }
 
 Result<std::vector<std::filesystem::path>> export_maps(const Document& document,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/map_packing.h"
 
+#include <algorithm>
+
 namespace patina::io {
 namespace {
 
@@ -46,7 +48,8 @@ constexpr std::array kUnreal = {
     color_with_opacity("BaseColor"),
     packed("OcclusionRoughnessMetallic", of(Channel::Occlusion), of(Channel::Roughness),
            of(Channel::Metalness)),
-    packed("Normal", of(Channel::Normal, 0), inverted(Channel::Normal, 1), of(Channel::Normal, 2)),
+    packed("NormalDX", of(Channel::Normal, 0), inverted(Channel::Normal, 1),
+           of(Channel::Normal, 2)),
     rgb("Emissive", Channel::Emissive),
 };
 constexpr std::array kUnity = {
@@ -84,6 +87,11 @@ constexpr std::array kPackings = {
 
 bool PackedMap::is_color() const {
     return values[0].channel == Channel::BaseColor || values[0].channel == Channel::Emissive;
+}
+
+bool PackedMap::has_normals() const {
+    return std::any_of(values.begin(), values.end(),
+                       [](const PackedValue& value) { return value.channel == Channel::Normal; });
 }
 
 std::span<const MapPacking> map_packings() {

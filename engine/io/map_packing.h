@@ -29,6 +29,7 @@ struct PackedMap {
 
     /// Whether the first three channels are a colour.
     bool is_color() const;
+    bool has_normals() const;
     /// Whether the fourth channel is opacity, as which files know it.
     bool has_opacity() const { return channels == 4 && values[3].channel == Channel::Opacity; }
 };

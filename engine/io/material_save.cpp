@@ -9,7 +9,7 @@
 #include "composite/composite.h"
 #include "composite/dilate.h"
 #include "composite/operations.h"
-#include "document/worn_surface.h"
+#include "document/material_warnings.h"
 #include "io/material_json.h"
 #include "io/record_json.h"
 #include "io/safe_name.h"
@@ -95,7 +95,7 @@ class MaterialWriter {
     }
 
     void note_what_is_missing() {
-        for (std::string& line : warnings_of_surface(save_.document, now_, program_.data().surface))
+        for (std::string& line : warnings_of(save_.document, now_, program_.data().surface))
             save_.warnings.push_back(std::move(line));
     }
 
@@ -174,7 +174,7 @@ class MaterialWriter {
         }
         auto maps =
             bake_and_encode(program_, islands_, save_.pixels, save_.size.value_or(now_.resolution),
-                            {wanted.begin(), wanted.end()}, save_.progress);
+                            {wanted.begin(), wanted.end()}, save_.png, save_.progress);
         if (!maps)
             return failure("material \"{}\": {}", quoted_for_message(now_.name, 60),
                            maps.error().message);

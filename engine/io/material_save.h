@@ -28,6 +28,7 @@ struct MaterialSave {
     /// Those that a part without the UV sets of their maps was assigned to.
     std::set<MaterialId> shown_without_uvs;
     std::optional<int> size;  ///< overrides the resolution of materials
+    PngOptions png;           ///< of baked maps
     Progress progress;
     std::vector<std::string> warnings;
 };

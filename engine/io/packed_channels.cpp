@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "io/packed_channels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
 
 #include "composite/bake_channels.h"
 #include "core/formulae/formulae.h"
+#include "core/free_memory.h"
 
 namespace patina::io {
 namespace {
@@ -83,6 +86,9 @@ Result<std::vector<Image>> packed_channels(const Program& program, ImageProvider
     for (const PackedMap& map : maps) {
         Image image{
             .width = size, .height = size, .channels = map.channels, .type = type, .data = {}};
+        const Status fits = check_free_memory(image.row_bytes() * static_cast<std::uint64_t>(size),
+                                              fmt::format("maps of {} texels a side", size));
+        if (!fits) return passed_on(fits);
         image.data.resize(image.row_bytes() * static_cast<std::size_t>(size));
         packed.push_back(std::move(image));
     }

@@ -147,6 +147,7 @@ class Saver {
                           .places = place_new_materials(materials_of(edited), gltf),
                           .shown_without_uvs = without_uvs,
                           .size = options_.size,
+                          .png = {.level = options_.png_level},
                           .progress = progress_,
                           .warnings = {}};
         give_parts_their_materials(document_, save.places, gltf);

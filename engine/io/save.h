@@ -20,6 +20,7 @@ namespace patina::io {
 struct SaveOptions {
     /// Overrides every edited material's resolution (`bake --size`).
     std::optional<int> size = std::nullopt;
+    int png_level = PngOptions{}.level;  ///< of baked maps
     /// Keeps the file that was there as `path` with a "~" behind it (the editor: once a session).
     bool keep_previous = false;
     /// Hands back the maps that were baked.

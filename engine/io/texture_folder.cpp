@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "document/check.h"
 #include "io/image_decode.h"
+#include "io/last_channel.h"
 
 namespace patina::io {
 namespace {
@@ -34,6 +36,76 @@ Result<std::vector<fs::path>> image_files(const fs::path& folder) {
     return files;
 }
 
+/// Whether the name begins with those words: "metal_032" with "metal", not with "met".
+bool begins_with(std::string_view name, std::string_view words) {
+    return name.substr(0, words.size()) == words &&
+           (name.size() == words.size() || words.empty() || name[words.size()] == '_');
+}
+
+/// "Metal032.png" beside "Metal032_2K_Color.png" is a picture of the material and no texture of
+/// it: the word that it was guessed from is part of the material's name.
+void drop_pictures(std::vector<TextureUseOfFile>& files) {
+    std::set<std::string> stems;
+    for (const TextureUseOfFile& file : files) stems.insert(file.guess.stem());
+    for (TextureUseOfFile& file : files) {
+        const std::string name = words_as_stem(file.file.stem().string());
+        const std::string& own = file.guess.before;
+        const auto holds_word = [&](const std::string& stem) {
+            return stem.size() > own.size() && begins_with(stem, own) && begins_with(name, stem);
+        };
+        if (std::any_of(stems.begin(), stems.end(), holds_word)) file.guess = {};
+    }
+}
+
+/// The materials that the files are textures of, by the stems of their names.
+std::set<std::string> materials_of(const std::vector<TextureUseOfFile>& files) {
+    std::set<std::string> stems;
+    for (const TextureUseOfFile& file : files)
+        if (!file.guess.channels.empty() && !file.guess.stem().empty())
+            stems.insert(file.guess.stem());
+    return stems;
+}
+
+/// Fails where the files are of several materials: as one layer they would hide each other.
+Status check_one_material(const std::vector<TextureUseOfFile>& files, const fs::path& folder) {
+    const std::set<std::string> stems = materials_of(files);
+    if (stems.size() < 2) return {};
+    std::string names;
+    for (const std::string& stem : stems) names += (names.empty() ? "" : ", ") + stem;
+    return failure(
+        "{}: holds the textures of {} materials: {}; give each a folder of its own, or name the "
+        "one that is meant: {}",
+        quoted_for_message(folder.string()), stems.size(), quoted_for_message(names, 200),
+        quoted_for_message((folder / *stems.begin()).string()));
+}
+
+/// The image files of a folder, or those of one material where the path goes on with its name.
+Result<std::vector<TextureUseOfFile>> texture_files(const fs::path& path) {
+    std::error_code error;
+    const bool of_one =
+        !fs::is_directory(path, error) && fs::is_directory(path.parent_path(), error);
+    const auto paths = image_files(of_one ? path.parent_path() : path);
+    if (!paths) return passed_on(paths);
+    std::vector<TextureUseOfFile> files;
+    for (const fs::path& file : *paths)
+        files.push_back({.file = file,
+                         .guess = guess_texture(file.filename().string()),
+                         .used = {},
+                         .described = {}});
+    drop_pictures(files);
+    if (!of_one) {
+        if (const Status one = check_one_material(files, path); !one) return passed_on(one);
+        return files;
+    }
+    const std::string wanted = words_as_stem(path.filename().string());
+    std::erase_if(files, [&](const TextureUseOfFile& file) { return file.guess.stem() != wanted; });
+    if (wanted.empty() || files.empty())
+        return failure("{}: is no folder, and no texture's name in {} begins so",
+                       quoted_for_message(path.string()),
+                       quoted_for_message(path.parent_path().string()));
+    return files;
+}
+
 /// Gives each channel to the file that suits it best; of equals, to the first by name.
 void share_out_channels(std::vector<TextureUseOfFile>& files) {
     std::map<Channel, TextureUseOfFile*> best;
@@ -57,7 +129,7 @@ std::string described(const TextureUseOfFile& file) {
     for (const TextureChannel& channel : file.used) {
         if (&channel != &file.used.front()) text += ", ";
         text += info(channel.channel).id;
-        if (file.guess.channels.size() > 1)
+        if (file.guess.channels.size() > 1 || channel.pick == ChannelPick::Alpha)
             text += fmt::format(" from {}", choice(channel.pick).id);
         if (channel.invert) text += " inverted";
     }
@@ -83,13 +155,30 @@ void feed(Layer& layer, const TextureUseOfFile& file, const ImageAsset& image) {
         ChannelSettings& settings = at(layer.channels, channel.channel);
         settings.enabled = true;
         settings.source = source_of(channel, file, image);
-        const bool has_alpha = image.channels == 2 || image.channels == 4;
-        ChannelSettings& opacity = at(layer.channels, Channel::Opacity);
-        if (channel.channel != Channel::BaseColor || !has_alpha || opacity.enabled) continue;
-        opacity.enabled = true;
-        opacity.source =
-            source_of({.channel = Channel::Opacity, .pick = ChannelPick::Alpha}, file, image);
     }
+}
+
+bool has_clear_texels(const ImageAsset& image, ImageStore& store) {
+    if (image.channels != 2 && image.channels != 4) return false;
+    const auto pixels = store.pixels(image.hash);
+    return pixels && !last_is_one(**pixels);
+}
+
+const TextureChannel* use_for(const TextureUseOfFile& file, Channel channel) {
+    const auto found =
+        std::find_if(file.used.begin(), file.used.end(),
+                     [&](const TextureChannel& use) { return use.channel == channel; });
+    return found == file.used.end() ? nullptr : &*found;
+}
+
+/// Opacity that no file is for is the alpha of the base colour, where that says something.
+void take_opacity_from_alpha(std::vector<TextureUseOfFile>& files,
+                             const std::vector<ImageAssetPtr>& images, ImageStore& store) {
+    for (const TextureUseOfFile& file : files)
+        if (use_for(file, Channel::Opacity)) return;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (use_for(files[i], Channel::BaseColor) && has_clear_texels(*images[i], store))
+            files[i].used.push_back({.channel = Channel::Opacity, .pick = ChannelPick::Alpha});
 }
 
 /// By the places of `files`; null for those that no channel uses.
@@ -115,15 +204,10 @@ Result<std::vector<ImageAssetPtr>> decoded(const std::vector<TextureUseOfFile>& 
 
 Result<TextureFolder> read_texture_folder(const fs::path& folder, ImageStore& store,
                                           const Progress& progress) {
-    const auto paths = image_files(folder);
-    if (!paths) return passed_on(paths);
-    TextureFolder result;
-    for (const fs::path& path : *paths) {
-        const TextureGuess guess = guess_texture(path.filename().string());
-        result.files.push_back({.file = path, .guess = guess, .used = {}, .described = {}});
-    }
+    auto files = texture_files(folder);
+    if (!files) return passed_on(files);
+    TextureFolder result{.layer = {}, .images = {}, .files = std::move(*files)};
     share_out_channels(result.files);
-    for (TextureUseOfFile& file : result.files) file.described = described(file);
     if (std::all_of(result.files.begin(), result.files.end(),
                     [](const TextureUseOfFile& file) { return file.used.empty(); }))
         return failure("{}: no image there says in its name what it is (such as wood_rough.png)",
@@ -131,17 +215,16 @@ Result<TextureFolder> read_texture_folder(const fs::path& folder, ImageStore& st
     progress.set_stage(fmt::format("Decoding {} textures", result.files.size()));
     const auto images = decoded(result.files, store, progress);
     if (!images) return passed_on(images);
+    take_opacity_from_alpha(result.files, *images, store);
     const std::string name = fs::weakly_canonical(folder).filename().string();
     result.layer.name = check_name(name) ? name : "Textures";
-    // Opacity has a file of its own before it is looked for in the base colour's alpha.
-    for (const bool opacity : {true, false})
-        for (std::size_t i = 0; i < result.files.size(); ++i) {
-            const TextureUseOfFile& file = result.files[i];
-            if (file.used.empty()) continue;
-            if ((file.used.front().channel == Channel::Opacity) != opacity) continue;
-            feed(result.layer, file, *(*images)[i]);
-            result.images.push_back((*images)[i]);
-        }
+    for (std::size_t i = 0; i < result.files.size(); ++i) {
+        TextureUseOfFile& file = result.files[i];
+        file.described = described(file);
+        if (file.used.empty()) continue;
+        feed(result.layer, file, *(*images)[i]);
+        result.images.push_back((*images)[i]);
+    }
     return result;
 }
 

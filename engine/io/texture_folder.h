@@ -32,8 +32,11 @@ struct TextureFolder {
 
 /// Guesses what each image file is for and decodes the used ones side by side. Colours are read as
 /// the file says, else as sRGB (EXR, HDR and other floats as linear); all else is data. Grey 0.5 is
-/// the surface of a height map. Fails when there is no folder, no image in it says what it is, or
-/// one that is used cannot be read.
+/// the surface of a height map. Opacity is the alpha of the base colour where no file is for it and
+/// that alpha is not 1 everywhere. Fails when there is no folder, no image in it says what it is,
+/// its files are of several materials (whose names differ before the word that says what each is),
+/// or one that is used cannot be read.
+/// @param folder  or, of a folder with several materials, the one that is meant: DIR/metal_plate
 Result<TextureFolder> read_texture_folder(const std::filesystem::path& folder, ImageStore& store,
                                           const Progress& progress = {});
 

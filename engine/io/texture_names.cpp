@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <optional>
 
 namespace patina::io {
 namespace {
@@ -47,6 +46,19 @@ constexpr Kind kNormalGl = one(whole(Channel::Normal), 3);
 constexpr Kind kNormalDx = {
     .channels = {whole(Channel::Normal)}, .directx_normal = true, .preference = 1};
 constexpr Kind kOrm = packed(Channel::Occlusion, Channel::Roughness, Channel::Metalness);
+constexpr TextureChannel kSmoothnessInAlpha = {
+    .channel = Channel::Roughness, .pick = ChannelPick::Alpha, .invert = true};
+/// As Unity's standard materials have them.
+constexpr Kind kMetallicSmoothness = {
+    .channels = {part(Channel::Metalness, ChannelPick::Red), kSmoothnessInAlpha},
+    .count = 2,
+    .preference = 1};
+/// As those of its high definition pipeline have them; blue is the mask of details.
+constexpr Kind kMaskMap = {
+    .channels = {part(Channel::Metalness, ChannelPick::Red),
+                 part(Channel::Occlusion, ChannelPick::Green), kSmoothnessInAlpha},
+    .count = 3,
+    .preference = 1};
 
 struct Word {
     std::string_view word;  ///< one or several words of the name run together
@@ -57,6 +69,8 @@ constexpr auto kWords = std::to_array<Word>({
     {"basecolor", one(whole(Channel::BaseColor), 3)},
     {"basecolour", one(whole(Channel::BaseColor), 3)},
     {"basecol", one(whole(Channel::BaseColor), 3)},
+    {"albedotransparency", one(whole(Channel::BaseColor), 3)},
+    {"basemap", one(whole(Channel::BaseColor), 3)},
     {"base", one(whole(Channel::BaseColor))},
     {"color", one(whole(Channel::BaseColor))},
     {"colour", one(whole(Channel::BaseColor))},
@@ -76,6 +90,7 @@ constexpr auto kWords = std::to_array<Word>({
     {"normalgl", kNormalGl},
     {"nrmgl", kNormalGl},
     {"norgl", kNormalGl},
+    {"normalogl", kNormalGl},
     {"normalopengl", kNormalGl},
     {"normaldx", kNormalDx},
     {"nrmdx", kNormalDx},
@@ -103,6 +118,9 @@ constexpr auto kWords = std::to_array<Word>({
     {"transparency", scalar(Channel::Opacity)},
     {"occlusionroughnessmetallic", kOrm},
     {"occlusionroughnessmetalness", kOrm},
+    {"aoroughnessmetallic", kOrm},
+    {"aoroughnessmetalness", kOrm},
+    {"aoroughmetal", kOrm},
     {"orm", kOrm},
     {"arm", kOrm},
     {"rma", packed(Channel::Roughness, Channel::Metalness, Channel::Occlusion)},
@@ -112,6 +130,8 @@ constexpr auto kWords = std::to_array<Word>({
     {"roughnessmetallic", kMetallicRoughness},
     {"roughnessmetalness", kMetallicRoughness},
     {"metalrough", kMetallicRoughness},
+    {"metallicsmoothness", kMetallicSmoothness},
+    {"maskmap", kMaskMap},
 });
 /// Only as the last word, after a separator: T_Rock_N.
 constexpr auto kLetters = std::to_array<Word>({
@@ -155,12 +175,32 @@ std::vector<std::string> words_of(std::string_view name) {
     return words;
 }
 
-/// Resolutions, versions and formats: 2k, 4096, v2, jpg.
+using Words = std::vector<std::string>;
+
+bool is_number(const std::string& word) {
+    return std::all_of(word.begin(), word.end(), is_digit);
+}
+
+/// Versions and formats: v, jpg.
 bool says_nothing(const std::string& word) {
     constexpr std::array kPassedOver = std::to_array<std::string_view>(
         {"k", "v", "jpg", "jpeg", "png", "tif", "tiff", "exr", "hdr", "map", "texture", "tex"});
-    return std::all_of(word.begin(), word.end(), is_digit) ||
-           std::find(kPassedOver.begin(), kPassedOver.end(), word) != kPassedOver.end();
+    return std::find(kPassedOver.begin(), kPassedOver.end(), word) != kPassedOver.end();
+}
+
+/// Without resolutions (2k, 4096) and formats. Other numbers tell one material from the next.
+std::string joined(std::span<const std::string> words) {
+    constexpr auto kSides =
+        std::to_array<std::string_view>({"256", "512", "1024", "2048", "4096", "8192", "16384"});
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const bool of_thousands = i + 1 < words.size() && words[i + 1] == "k" && is_number(word);
+        if (of_thousands || std::find(kSides.begin(), kSides.end(), word) != kSides.end()) continue;
+        if (says_nothing(word)) continue;
+        text += (text.empty() ? "" : "_") + word;
+    }
+    return text;
 }
 
 template <typename Table>
@@ -170,33 +210,57 @@ const Word* find_word(const Table& table, std::string_view text) {
     return found == table.end() ? nullptr : &*found;
 }
 
+/// An entry of the tables, and the words of the name that it is.
+struct FoundWord {
+    const Word* entry = nullptr;
+    std::size_t first = 0;
+    std::size_t past = 0;
+};
+
 /// The entry for the most words that end with words[last].
-const Word* longest_ending(const std::vector<std::string>& words, std::size_t last) {
-    const Word* found = nullptr;
+FoundWord longest_ending(const Words& words, std::size_t last) {
+    FoundWord found;
     std::string text;
     for (std::size_t i = last + 1; i-- > 0 && last - i < 3;) {
         text.insert(0, words[i]);
-        if (const Word* entry = find_word(kWords, text)) found = entry;
+        if (const Word* entry = find_word(kWords, text)) found = {entry, i, last + 1};
     }
     return found;
+}
+
+FoundWord find_in(const Words& words) {
+    std::size_t last = words.size();
+    while (last > 0 && (is_number(words[last - 1]) || says_nothing(words[last - 1]))) --last;
+    if (last > 1)
+        if (const Word* entry = find_word(kLetters, words[last - 1]))
+            return {entry, last - 1, last};
+    FoundWord found;
+    for (last = words.size(); last-- > 0 && !found.entry;) found = longest_ending(words, last);
+    return found;
+}
+
+Words words_before_ending(std::string_view file_name) {
+    return words_of(file_name.substr(0, file_name.rfind('.')));
 }
 
 }  // namespace
 
 TextureGuess guess_texture(std::string_view file_name) {
-    const std::size_t dot = file_name.rfind('.');
-    std::vector<std::string> words = words_of(file_name.substr(0, dot));
-    while (!words.empty() && says_nothing(words.back())) words.pop_back();
-    const Word* found = nullptr;
-    if (words.size() > 1) found = find_word(kLetters, words.back());
-    for (std::size_t last = words.size(); last-- > 0 && !found;)
-        found = longest_ending(words, last);
-    if (!found) return {};
-    const Kind& kind = found->kind;
+    const Words words = words_before_ending(file_name);
+    const FoundWord found = find_in(words);
+    if (!found.entry) return {};
+    const Kind& kind = found.entry->kind;
+    const std::span<const std::string> all(words);
     return {.channels = {kind.channels.begin(), kind.channels.begin() + kind.count},
             .directx_normal = kind.directx_normal,
-            .word = std::string(found->word),
-            .preference = kind.preference};
+            .word = std::string(found.entry->word),
+            .preference = kind.preference,
+            .before = joined(all.first(found.first)),
+            .after = joined(all.subspan(found.past))};
+}
+
+std::string words_as_stem(std::string_view name) {
+    return joined(words_of(name));
 }
 
 }  // namespace patina::io

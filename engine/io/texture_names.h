@@ -26,11 +26,20 @@ struct TextureGuess {
     bool directx_normal = false;
     std::string word;    ///< of the name, that the guess rests on
     int preference = 0;  ///< of two for one channel the higher one is taken
+    /// The words of the name on both sides of `word`, joined by "_", resolutions and formats left
+    /// out: "metal_plate" and "" of "Metal-Plate_rough_2k.png".
+    std::string before = {};
+    std::string after = {};
+    /// What tells one material's textures from another's.
+    const std::string& stem() const { return before.empty() ? after : before; }
 };
 
 /// Guesses from the last word of a file's name that means something: "wood_rough_2k.png",
 /// "Bricks_NormalGL.jpg", "T_Rock_ORM.tga", "Suzanne_MetallicRoughness.png". Resolutions and
 /// version numbers are passed over; capitals and separators do not matter.
 TextureGuess guess_texture(std::string_view file_name);
+
+/// The words of a name as TextureGuess::before has them.
+std::string words_as_stem(std::string_view name);
 
 }  // namespace patina::io

@@ -45,7 +45,8 @@ Status add_radiance(RendererState& state, const View& view, PictureSize size,
                        .add = true,
                        .jitter_pixels = sample_offset(draw.index),
                        .still = draw.still,
-                       .draw_index = draw.index});
+                       .draw_index = draw.index,
+                       .right_sum = draw.right_sum});
 }
 
 }  // namespace patina::render

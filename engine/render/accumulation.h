@@ -17,6 +17,7 @@ struct AddedDraw {
     int index = 0;  ///< its place in the pixel; 0 clears the sum first
     /// Set: the environment is sampled; else it is read filtered.
     std::optional<StillDraw> still = {};
+    const gl::Framebuffer* right_sum = nullptr;  ///< of a difference: see FrameTarget
 };
 
 /// The sum of a picture of that size, ready for the draw.

@@ -69,12 +69,24 @@ float height_at_target(const Camera& camera) {
     return 2.0f * glm::distance(camera.position, camera.target) * tangent_of_half_fov(camera);
 }
 
+/// The direction of an axis; a node that a file scales by nothing has none.
+glm::vec3 unit_or(const glm::vec4& axis, const glm::vec3& otherwise) {
+    const float length = glm::length(glm::vec3(axis));
+    return length > 0.0f && std::isfinite(length) ? glm::vec3(axis) / length : otherwise;
+}
+
 }  // namespace
 
 Camera framed_from(const Camera& camera, const Bounds& bounds, float aspect) {
+    Camera result = camera;
+    result.target = or_unit_ball(bounds).center();
+    result.position += result.target - camera.target;
+    return framed_around(result, bounds, aspect);
+}
+
+Camera framed_around(const Camera& camera, const Bounds& bounds, float aspect) {
     const Bounds shown = or_unit_ball(bounds);
     Camera result = camera;
-    result.target = shown.center();
     const glm::vec3 offset = camera.position - camera.target;
     const glm::vec3 back = glm::dot(offset, offset) > 0.0f
                                ? glm::normalize(offset)
@@ -136,12 +148,12 @@ Camera with_other_projection(const Camera& camera) {
 Camera camera_of(const SceneCamera& camera, const Bounds& bounds) {
     Camera result;
     result.position = glm::vec3(camera.world_from_camera[3]);
-    const glm::vec3 forward = -glm::normalize(glm::vec3(camera.world_from_camera[2]));
+    const glm::vec3 forward = -unit_or(camera.world_from_camera[2], {0.0f, 0.0f, 1.0f});
     const glm::vec3 middle = or_unit_ball(bounds).center();
     const float along = glm::dot(middle - result.position, forward);
     result.target = result.position + forward * (along > 0.0f ? along : 1.0f);
-    result.up = glm::normalize(glm::vec3(camera.world_from_camera[1]));
-    result.fov_y_degrees = glm::degrees(camera.fov_y_radians);
+    result.up = unit_or(camera.world_from_camera[1], {0.0f, 1.0f, 0.0f});
+    result.fov_y_degrees = std::clamp(glm::degrees(camera.fov_y_radians), 1.0f, 160.0f);
     result.orthographic_height = camera.orthographic_height;
     return result;
 }
@@ -158,6 +170,15 @@ Camera orbited(const Camera& camera, float yaw_degrees, float pitch_degrees) {
         camera.target +
         distance * direction_from({yaw + yaw_degrees,
                                    std::clamp(pitch + pitch_degrees, -kPoleDegrees, kPoleDegrees)});
+    return result;
+}
+
+Camera turned(const Camera& camera, float degrees) {
+    const glm::mat3 turn(
+        glm::rotate(glm::mat4(1.0f), glm::radians(degrees), glm::vec3(0.0f, 1.0f, 0.0f)));
+    Camera result = camera;
+    result.position = camera.target + turn * (camera.position - camera.target);
+    result.up = turn * camera.up;
     return result;
 }
 
@@ -197,7 +218,8 @@ DepthRange depth_range(const Camera& camera, const Bounds& bounds) {
         nearest = std::min(nearest, depth);
         farthest = std::max(farthest, depth);
     }
-    const float slack = 0.01f * (farthest - nearest);
+    // A flat scene that faces the camera has no depth of its own, but must not lie on the planes.
+    const float slack = std::max(0.01f * (farthest - nearest), 1e-3f * std::abs(farthest));
     const float far_m = std::max(farthest + slack, 1e-4f);
     // From inside the scene, a ten-thousandth of its size is as near as a 32-bit depth keeps.
     return {.near_m = std::max(nearest - slack, 1e-4f * far_m), .far_m = far_m};

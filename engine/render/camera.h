@@ -29,6 +29,8 @@ Camera framed(const Bounds& bounds, float aspect,
               ViewDirection direction = ViewDirection::ThreeQuarter, float fov_y_degrees = 30.0f);
 /// The same direction and field of view, moved so that `bounds` fill the view again.
 Camera framed_from(const Camera& camera, const Bounds& bounds, float aspect);
+/// The same direction, target, field of view and up, from as near as `bounds` fit into the view.
+Camera framed_around(const Camera& camera, const Bounds& bounds, float aspect);
 /// The same field of view or orthographic, from that direction, with `bounds` filling the view.
 Camera framed_from_direction(const Camera& camera, const Bounds& bounds, float aspect,
                              ViewDirection direction);
@@ -40,8 +42,11 @@ Camera with_other_projection(const Camera& camera);
 Camera camera_of(const SceneCamera& camera, const Bounds& bounds);
 
 /// Turns around the target: `yaw_degrees` about +Y, counter-clockwise from above;
-/// `pitch_degrees` up, stopping short of the poles.
+/// `pitch_degrees` up, stopping short of the poles. +Y is up afterwards.
 Camera orbited(const Camera& camera, float yaw_degrees, float pitch_degrees);
+/// As if the scene stood on a turntable: position and up go about +Y through the target,
+/// counter-clockwise from above.
+Camera turned(const Camera& camera, float degrees);
 /// Moves camera and target along the picture: the point under the hand follows it.
 /// @param right, up  shares of the picture's height, positive right and up
 Camera panned(const Camera& camera, float right, float up);

@@ -78,30 +78,40 @@ int divider_column(const View& view, int width) {
                       width);
 }
 
-/// The radiance of both sides, each a whole picture.
-Result<SidePictures> draw_radiance(RendererState& state, const View& view,
-                                   const FrameCamera& camera, const LightingInputs& inputs) {
-    Result<gl::Framebuffer*> left = state.left.at(camera.size);
-    if (!left) return passed_on(left);
-    Result<gl::Framebuffer*> right = state.right.at(camera.size);
-    if (!right) return passed_on(right);
-    PictureTarget side = {.area = {{0, 0}, camera.size}, .output = OutputMode::Radiance};
-    side.framebuffer = *left;
+/// The radiance of both sides.
+/// @param whole  how each is drawn; into which framebuffer say `sides`
+Status draw_radiance(RendererState& state, const View& view, const FrameCamera& camera,
+                     const LightingInputs& inputs, const SidePictures& sides,
+                     const PictureTarget& whole) {
+    PictureTarget side = whole;
+    side.area = {{0, 0}, camera.size};
+    side.output = OutputMode::Radiance;
+    side.framebuffer = sides.left;
     if (Status done = draw_side(state, {view, view.left, FrameSide::Left}, camera, inputs, side);
         !done)
+        return done;
+    side.framebuffer = sides.right;
+    return draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, side);
+}
+
+/// The radiance of both sides in pictures of their own.
+Result<SidePictures> drawn_sides(RendererState& state, const View& view, const FrameCamera& camera,
+                                 const LightingInputs& inputs) {
+    const Result<gl::Framebuffer*> left = state.left.at(camera.size);
+    if (!left) return passed_on(left);
+    const Result<gl::Framebuffer*> right = state.right.at(camera.size);
+    if (!right) return passed_on(right);
+    const SidePictures sides{*left, *right};
+    if (Status done = draw_radiance(state, view, camera, inputs, sides, {}); !done)
         return passed_on(done);
-    side.framebuffer = *right;
-    if (Status done = draw_side(state, {view, view.right, FrameSide::Right}, camera, inputs, side);
-        !done)
-        return passed_on(done);
-    return SidePictures{*left, *right};
+    return sides;
 }
 
 Status draw_difference_frame(RendererState& state, const View& view, const FrameCamera& camera,
                              const LightingInputs& inputs, const PictureTarget& target) {
-    const Result<SidePictures> sides = draw_radiance(state, view, camera, inputs);
+    const Result<SidePictures> sides = drawn_sides(state, view, camera, inputs);
     if (!sides) return passed_on(sides);
-    return draw_difference(state, view, *sides->left, *sides->right, target);
+    return draw_difference(state, view, *sides, target);
 }
 
 /// Both sides, each into its own columns.
@@ -187,7 +197,7 @@ Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm
     const FrameCamera camera = frame_camera(view, state.scene->bounds_world, size, glm::vec2(0.0f));
     const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
     if (!inputs) return passed_on(inputs);
-    return draw_radiance(state, view, camera, *inputs);
+    return drawn_sides(state, view, camera, *inputs);
 }
 
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
@@ -221,6 +231,9 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
         case CompareMode::TwoViews:
             return draw_sides(state, drawn, camera, *inputs, whole);
         case CompareMode::Difference:
+            if (target.right_sum != nullptr)
+                return draw_radiance(state, drawn, camera, *inputs,
+                                     {target.framebuffer, target.right_sum}, whole);
             return draw_difference_frame(state, drawn, camera, *inputs, whole);
     }
     return {};

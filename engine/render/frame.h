@@ -15,6 +15,9 @@ struct FrameTarget {
     glm::vec2 jitter_pixels = glm::vec2(0.0f);  ///< see frame_camera
     std::optional<StillDraw> still = {};        ///< see PictureTarget
     int draw_index = 0;
+    /// Set, for a difference: the radiance of the left side is added to `framebuffer`, that of the
+    /// right one to this, and their difference is left to draw_difference.
+    const gl::Framebuffer* right_sum = nullptr;
 };
 
 Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
@@ -40,11 +43,7 @@ SideArea side_area(const View& view, glm::ivec2 size, FrameSide side);
 std::vector<gl::Viewport> surface_areas(const RendererState& state, const View& view,
                                         glm::ivec2 size);
 
-/// The radiance of the left and the right shading, each a whole picture of `size`.
-struct SidePictures {
-    const gl::Framebuffer* left = nullptr;
-    const gl::Framebuffer* right = nullptr;
-};
+/// Both sides of a view, each `size` large.
 Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm::ivec2 size);
 
 /// The costs of the last frame drawn.

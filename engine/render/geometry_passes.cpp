@@ -8,9 +8,23 @@
 namespace patina::render {
 namespace {
 
-bool belongs(const GpuMaterial& material, SurfaceSet surfaces) {
-    const bool blended = material.surface.alpha_mode == AlphaMode::Blend;
-    return surfaces == SurfaceSet::All || blended == (surfaces == SurfaceSet::Blended);
+void bind_item(const RendererState& state, gl::Pass& pass, gl::Program& program,
+               const DrawItem& item) {
+    state.materials.bind(pass, program, state.materials.at(item.source_material));
+    program.set("world_from_local", item.world_from_local);
+    program.set("normal_world_from_local", glm::inverseTranspose(glm::mat3(item.world_from_local)));
+    program.set("handedness", item.mirrored ? -1.0f : 1.0f);
+    program.set("ids", glm::vec3(item.instance, item.primitive, item.source_material));
+}
+
+void draw_faces(const RendererState& state, gl::Pass& pass, const gl::Program& program,
+                const gl::State& base, const DrawItem& item, gl::Cull cull) {
+    gl::State draw_state = base;
+    draw_state.cull = cull;
+    draw_state.front_is_clockwise = item.mirrored;
+    pass.set_state(draw_state);
+    const gl::VertexArray& vertices = state.scene->vertex_arrays[item.vertices];
+    pass.draw(program, vertices, {.count = vertices.count()});
 }
 
 }  // namespace
@@ -50,6 +64,11 @@ gl::Viewport area_seen(const Bounds& bounds, const FrameCamera& camera) {
     return {first, glm::max(end - first, glm::ivec2(0))};
 }
 
+bool belongs(const GpuMaterial& material, SurfaceSet surfaces) {
+    const bool blended = material.surface.alpha_mode == AlphaMode::Blend;
+    return surfaces == SurfaceSet::All || blended == (surfaces == SurfaceSet::Blended);
+}
+
 void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
                    const gl::State& base, const std::vector<std::size_t>& order,
                    SurfaceSet surfaces) {
@@ -57,18 +76,24 @@ void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& prog
         const DrawItem& item = state.scene->items[index];
         const GpuMaterial& material = state.materials.at(item.source_material);
         if (!belongs(material, surfaces)) continue;
-        gl::State draw_state = base;
-        draw_state.cull = material.surface.double_sided ? gl::Cull::None : gl::Cull::Back;
-        draw_state.front_is_clockwise = item.mirrored;
-        pass.set_state(draw_state);
-        state.materials.bind(pass, program, material);
-        program.set("world_from_local", item.world_from_local);
-        program.set("normal_world_from_local",
-                    glm::inverseTranspose(glm::mat3(item.world_from_local)));
-        program.set("handedness", item.mirrored ? -1.0f : 1.0f);
-        program.set("ids", glm::vec3(item.instance, item.primitive, item.source_material));
-        const gl::VertexArray& vertices = state.scene->vertex_arrays[item.vertices];
-        pass.draw(program, vertices, {.count = vertices.count()});
+        bind_item(state, pass, program, item);
+        draw_faces(state, pass, program, base, item,
+                   material.surface.double_sided ? gl::Cull::None : gl::Cull::Back);
+    }
+}
+
+void draw_blended_surfaces(RendererState& state, gl::Pass& pass, gl::Program& program,
+                           const gl::State& base, const Camera& camera) {
+    for (const std::size_t index : back_to_front(state.scene->items, camera)) {
+        const DrawItem& item = state.scene->items[index];
+        const GpuMaterial& material = state.materials.at(item.source_material);
+        if (!belongs(material, SurfaceSet::Blended)) continue;
+        sort_triangles(*state.scene, item, camera);
+        bind_item(state, pass, program, item);
+        // The far wall of what is hollow comes first: large triangles are not always sorted right.
+        if (material.surface.double_sided)
+            draw_faces(state, pass, program, base, item, gl::Cull::Front);
+        draw_faces(state, pass, program, base, item, gl::Cull::Back);
     }
 }
 

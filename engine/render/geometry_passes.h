@@ -31,12 +31,21 @@ FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size
 gl::Viewport area_seen(const Bounds& bounds, const FrameCamera& camera);
 
 enum class SurfaceSet { Opaque, Blended, All };
+bool belongs(const GpuMaterial& material, SurfaceSet surfaces);
+/// What casts shadows, in maps and on the floor. What blends stands for glass and smoke, which let
+/// light through: no shadow is nearer to theirs than that of a solid.
+inline constexpr SurfaceSet kShadowCasters = SurfaceSet::Opaque;
 
 /// Draws the items of a set in that order with a program that has the inputs of surface.vert and
 /// material.glsl.
 void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
                    const gl::State& base, const std::vector<std::size_t>& order,
                    SurfaceSet surfaces);
+
+/// Draws the blended items with such a program, everything behind something else before it: the
+/// items by their middles, of each the faces that look away first, and these by their middles.
+void draw_blended_surfaces(RendererState& state, gl::Pass& pass, gl::Program& program,
+                           const gl::State& base, const Camera& camera);
 
 /// Whether a side's picture comes without the G-buffer. Channels are read from it on either path.
 bool is_forward(const View& view, const Shading& shading);

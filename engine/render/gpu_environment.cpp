@@ -149,7 +149,7 @@ Result<GpuGroundShadow> upload_ground_shadow(GroundShadow shadow) {
     Result<gl::Texture> light = gl::Texture::make(
         {.label = "ground shadow", .size = {shadow.side, shadow.side}, .format = gl::Format::R8});
     if (!light) return passed_on(light);
-    return GpuGroundShadow{std::move(shadow), std::move(*light), std::nullopt};
+    return GpuGroundShadow{std::move(shadow), std::move(*light), std::nullopt, std::nullopt};
 }
 
 void update_ground_shadow(GpuGroundShadow& shadow, const SkyShares& sky, float rotation_degrees) {

@@ -53,6 +53,8 @@ struct GpuGroundShadow {
     GroundShadow shadow;
     gl::Texture light;                      ///< floor_light
     std::optional<float> rotation_degrees;  ///< of the environment that it is made for; unset: none
+    /// The items of the scene that it is of; unset: another scene's.
+    std::optional<std::vector<std::size_t>> casters;
 };
 /// Its light is made by update_ground_shadow.
 Result<GpuGroundShadow> upload_ground_shadow(GroundShadow shadow);

@@ -73,6 +73,7 @@ GpuScene upload_scene(ScenePtr scene) {
     GpuScene gpu;
     gpu.scene = std::move(scene);
     const std::vector<std::size_t> first_of_mesh = upload_meshes(*gpu.scene, gpu.vertex_arrays);
+    gpu.sorted_along_local.assign(gpu.vertex_arrays.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < gpu.scene->instances.size(); ++i) {
         const MeshInstance& instance = gpu.scene->instances[i];
         const auto mesh_index = static_cast<std::size_t>(instance.mesh);
@@ -97,6 +98,13 @@ GpuScene upload_scene(ScenePtr scene) {
     return gpu;
 }
 
+const Primitive& primitive_of(const GpuScene& scene, const DrawItem& item) {
+    const Scene& all = *scene.scene;
+    const MeshInstance& instance = all.instances[static_cast<std::size_t>(item.instance)];
+    return all.meshes[static_cast<std::size_t>(instance.mesh)]
+        .primitives[static_cast<std::size_t>(item.primitive)];
+}
+
 std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const Camera& camera) {
     std::vector<std::size_t> order(items.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -113,6 +121,35 @@ std::vector<std::size_t> front_to_back(const std::vector<DrawItem>& items, const
     std::vector<std::size_t> order = back_to_front(items, camera);
     std::reverse(order.begin(), order.end());
     return order;
+}
+
+std::vector<std::uint32_t> triangles_back_to_front(const Primitive& primitive,
+                                                   const glm::vec3& along_local) {
+    const std::vector<std::uint32_t>& corners = primitive.indices;
+    std::vector<std::pair<float, std::uint32_t>> order(corners.size() / 3);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        // Three times how far its middle is along: that sorts as well.
+        const glm::vec3 sum = primitive.positions[corners[3 * i]] +
+                              primitive.positions[corners[3 * i + 1]] +
+                              primitive.positions[corners[3 * i + 2]];
+        order[i] = {glm::dot(sum, along_local), static_cast<std::uint32_t>(3 * i)};
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<std::uint32_t> result;
+    result.reserve(corners.size());
+    for (const auto& [along, first] : order)
+        result.insert(result.end(), {corners[first], corners[first + 1], corners[first + 2]});
+    return result;
+}
+
+void sort_triangles(GpuScene& scene, const DrawItem& item, const Camera& camera) {
+    const glm::vec3 along_local =
+        glm::transpose(glm::mat3(item.world_from_local)) * (camera.target - camera.position);
+    if (scene.sorted_along_local[item.vertices] == along_local) return;
+    scene.vertex_arrays[item.vertices].reorder(
+        triangles_back_to_front(primitive_of(scene, item), along_local));
+    scene.sorted_along_local[item.vertices] = along_local;
 }
 
 }  // namespace patina::render

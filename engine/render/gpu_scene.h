@@ -26,6 +26,8 @@ struct DrawItem {
 struct GpuScene {
     ScenePtr scene;
     std::vector<gl::VertexArray> vertex_arrays;
+    /// Which way the triangles of each vertex array are sorted, see sort_triangles; 0: not at all.
+    std::vector<glm::vec3> sorted_along_local;
     std::vector<DrawItem> items;
     std::size_t triangles = 0;
     Bounds bounds_world;  ///< of what is drawn
@@ -34,9 +36,19 @@ struct GpuScene {
 /// Uploads every primitive once, however many instances show it.
 GpuScene upload_scene(ScenePtr scene);
 
+/// The mesh that an item shows.
+const Primitive& primitive_of(const GpuScene& scene, const DrawItem& item);
+
 /// The indices of `items`, farthest from the camera first.
 std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const Camera& camera);
 /// The other way round.
 std::vector<std::size_t> front_to_back(const std::vector<DrawItem>& items, const Camera& camera);
+
+/// The corners of a primitive's triangles, those first that lie farthest along a direction.
+std::vector<std::uint32_t> triangles_back_to_front(const Primitive& primitive,
+                                                   const glm::vec3& along_local);
+/// Puts the triangles of an item into that order as the camera sees them. It costs nothing where
+/// they are in it already.
+void sort_triangles(GpuScene& scene, const DrawItem& item, const Camera& camera);
 
 }  // namespace patina::render

@@ -186,7 +186,8 @@ float edge_fade(float x, float z, int side) {
 
 }  // namespace
 
-GroundShadow ground_shadow(const Scene& scene, const Bounds& bounds_world, int side) {
+GroundShadow ground_shadow(const std::vector<FloorCaster>& casters, const Bounds& bounds_world,
+                           int side) {
     GroundShadow shadow;
     shadow.side = side;
     shadow.hidden.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
@@ -201,10 +202,8 @@ GroundShadow ground_shadow(const Scene& scene, const Bounds& bounds_world, int s
     columns.low.assign(shadow.hidden.size(), 1e30f);
     columns.high.assign(shadow.hidden.size(), -1e30f);
     const glm::vec3 corner = shadow.center_world - glm::vec3(shadow.extent, 0.0f, shadow.extent);
-    for (const MeshInstance& instance : scene.instances)
-        for (const Primitive& primitive :
-             scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-            rasterize(primitive, instance.world_from_local, corner, columns);
+    for (const FloorCaster& caster : casters)
+        rasterize(*caster.primitive, caster.world_from_local, corner, columns);
 
     parallel_for(0, side, 4, [&](std::int64_t first, std::int64_t last) {
         for (int z = static_cast<int>(first); z < static_cast<int>(last); ++z)

@@ -28,9 +28,18 @@ struct GroundShadow {
     std::vector<HiddenSky> hidden;             ///< side * side
 };
 
-/// The scene is seen as columns from the lowest to the highest surface over each texel; rays from
-/// the floor are blocked by a column between its ends.
-GroundShadow ground_shadow(const Scene& scene, const Bounds& bounds_world, int side = 128);
+/// What hides the sky from the floor; of a scene that lives longer.
+struct FloorCaster {
+    const Primitive* primitive = nullptr;
+    glm::mat4 world_from_local = glm::mat4(1.0f);
+};
+
+/// The casters are seen as columns from the lowest to the highest surface over each texel; rays
+/// from the floor are blocked by a column between its ends. What an alpha mask cuts out blocks too:
+/// the mask is on the GPU, and leaves and lace are dense.
+/// @param bounds_world  of the whole scene, with what casts no shadow
+GroundShadow ground_shadow(const std::vector<FloorCaster>& casters, const Bounds& bounds_world,
+                           int side = 128);
 
 /// What reaches each texel: 255 for all of the light, and at the edge.
 /// @param rotation_degrees  of the environment about +Y, counter-clockwise from above

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "render/renderer_state.h"
+#include "render/geometry_passes.h"
 
 namespace patina::render {
 namespace {
@@ -20,10 +20,30 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
     return glm::length(to_light) > 0.0f ? glm::normalize(to_light) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
+/// What the floor has of the scene's shadow, where the scene or what of it casts one is another.
+Status ready_floor(RendererState& state) {
+    std::vector<std::size_t> casting;
+    std::vector<FloorCaster> casters;
+    for (std::size_t i = 0; i < state.scene->items.size(); ++i) {
+        const DrawItem& item = state.scene->items[i];
+        if (!belongs(state.materials.at(item.source_material), kShadowCasters)) continue;
+        casting.push_back(i);
+        casters.push_back({&primitive_of(*state.scene, item), item.world_from_local});
+    }
+    if (state.shadow.casters == casting) return {};
+    Result<GpuGroundShadow> made =
+        upload_ground_shadow(ground_shadow(casters, state.scene->bounds_world));
+    if (!made) return passed_on(made);
+    state.shadow = std::move(*made);
+    state.shadow.casters = std::move(casting);
+    return {};
+}
+
 }  // namespace
 
 Status ready_lights(RendererState& state, const View& view, const std::optional<LampPoint>& point) {
     state.lights.set(view.lights);
+    if (Status ready = ready_floor(state); !ready) return ready;
     if (shades_floor(view))
         update_ground_shadow(state.shadow, state.environment->sky,
                              view.environment_rotation_degrees);

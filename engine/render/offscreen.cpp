@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "composite/composite.h"
 #include "core/log.h"
@@ -81,20 +82,29 @@ Status set_environment(Renderer& renderer, const Document& document,
     return renderer.set_environment(*filtered);
 }
 
+Camera automatic_camera(const OffscreenRequest& request, const Bounds& bounds) {
+    const float aspect = static_cast<float>(request.size.width) /
+                         static_cast<float>(std::max(1, request.size.height));
+    const bool halves = request.view.compare == CompareMode::TwoViews;
+    const float side_aspect = halves ? 0.5f * aspect : aspect;
+    const Camera& asked = request.view.camera;
+    Camera camera = framed(bounds, side_aspect, *request.automatic_camera, asked.fov_y_degrees);
+    camera.up = asked.up;
+    if (request.automatic_target) {
+        camera.position += *request.automatic_target - camera.target;
+        camera.target = *request.automatic_target;
+    }
+    camera = framed_around(camera, bounds, side_aspect);
+    camera.orthographic_height = asked.orthographic_height;
+    return camera;
+}
+
 View view_of(const Document& document, const OffscreenRequest& request, const Bounds& bounds) {
     View view = request.view;
     view.lights.insert(view.lights.end(), document.lights.begin(), document.lights.end());
     view.environment_rotation_degrees += document.environment.rotation_degrees;
     view.environment_intensity *= document.environment.intensity;
-    if (request.automatic_camera) {
-        const float aspect = static_cast<float>(request.size.width) /
-                             static_cast<float>(std::max(1, request.size.height));
-        const bool halves = view.compare == CompareMode::TwoViews;
-        const float orthographic_height = view.camera.orthographic_height;
-        view.camera = framed(bounds, halves ? 0.5f * aspect : aspect, *request.automatic_camera,
-                             view.camera.fov_y_degrees);
-        view.camera.orthographic_height = orthographic_height;
-    }
+    if (request.automatic_camera) view.camera = automatic_camera(request, bounds);
     return view;
 }
 
@@ -124,6 +134,49 @@ Result<gl::HeadlessContext> context_that_logs() {
         [](std::string_view message) { log_warning("OpenGL: {}", message); });
 }
 
+Result<Image> still_of(Renderer& renderer, const View& view, const OffscreenRequest& request) {
+    if (request.linear) return renderer.still_linear(view, request.size, request.samples);
+    Result<Image> still =
+        renderer.still_srgb(view, request.size, request.samples, request.sample_type);
+    if (still && view.wires)
+        if (Status laid = renderer.lay_wires(view, *still); !laid) return passed_on(laid);
+    return still;
+}
+
+/// Pictures of one scene in one light.
+struct Series {
+    int count = 1;
+    std::function<View(const View& first, int index)> view;
+};
+
+Status render_series(const Document& document, ImageProvider& images,
+                     const OffscreenRequest& request, const Series& series, const EachPicture& each,
+                     const Progress& progress) {
+    const Result<gl::HeadlessContext> context = context_that_logs();
+    if (!context) return passed_on(context);
+    RenderedImage result;
+    Result<Renderer> renderer = prepared(document, images, request, progress, result);
+    if (!renderer) return passed_on(renderer);
+    progress.set_stage("Rendering");
+    const View first = view_of(document, request, renderer->bounds_world());
+    if (request.costs_wanted && request.samples == 1)
+        if (const auto warmed = still_of(*renderer, series.view(first, 0), request); !warmed)
+            return passed_on(warmed);
+    for (int i = 0; i < series.count; ++i) {
+        const View view = series.view(first, i);
+        const auto start = std::chrono::steady_clock::now();
+        Result<Image> image = still_of(*renderer, view, request);
+        if (!image) return passed_on(image);
+        result.image = std::move(*image);
+        result.render_ms = elapsed_ms(start);
+        result.stats = renderer->stats();
+        if (Status done = each(i, result); !done) return done;
+        progress.report(0.75f +
+                        0.25f * static_cast<float>(i + 1) / static_cast<float>(series.count));
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
@@ -142,52 +195,27 @@ Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& 
 Status render_turntable_offscreen(const Document& document, ImageProvider& images,
                                   const OffscreenRequest& request, int pictures,
                                   const EachPicture& each, const Progress& progress) {
-    const Result<gl::HeadlessContext> context = context_that_logs();
-    if (!context) return passed_on(context);
-    RenderedImage result;
-    Result<Renderer> renderer = prepared(document, images, request, progress, result);
-    if (!renderer) return passed_on(renderer);
-    progress.set_stage("Rendering");
-    View view = view_of(document, request, renderer->bounds_world());
-    const Camera first = view.camera;
-    for (int i = 0; i < pictures; ++i) {
-        if (i > 0)
-            view.camera =
-                orbited(first, 360.0f * static_cast<float>(i) / static_cast<float>(pictures), 0.0f);
-        const auto start = std::chrono::steady_clock::now();
-        Result<Image> image =
-            request.linear
-                ? renderer->still_linear(view, request.size, request.samples)
-                : renderer->still_srgb(view, request.size, request.samples, request.sample_type);
-        if (!image) return passed_on(image);
-        result.image = std::move(*image);
-        result.render_ms = elapsed_ms(start);
-        result.stats = renderer->stats();
-        if (Status done = each(i, result); !done) return done;
-        progress.report(0.75f + 0.25f * static_cast<float>(i + 1) / static_cast<float>(pictures));
-    }
-    return {};
+    const auto turned_view = [pictures](const View& first, int i) {
+        View view = first;
+        if (i == 0) return view;
+        view.camera =
+            turned(first.camera, 360.0f * static_cast<float>(i) / static_cast<float>(pictures));
+        return view;
+    };
+    return render_series(document, images, request, {pictures, turned_view}, each, progress);
 }
 
-Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,
-                                             const OffscreenRequest& request, PictureSize thumbnail,
-                                             const Progress& progress) {
-    const Result<gl::HeadlessContext> context = context_that_logs();
-    if (!context) return passed_on(context);
-    RenderedImage result;
-    Result<Renderer> renderer = prepared(document, images, request, progress, result);
-    if (!renderer) return passed_on(renderer);
-    OffscreenRequest thumbnail_request = request;
-    thumbnail_request.size = thumbnail;
-    const View view = view_of(document, thumbnail_request, renderer->bounds_world());
-    const auto start = std::chrono::steady_clock::now();
-    if (Status done = renderer->draw_strip(view, thumbnail); !done) return passed_on(done);
-    Result<Image> image = renderer->read_strip();
-    if (!image) return passed_on(image);
-    result.image = std::move(*image);
-    result.render_ms = elapsed_ms(start);
-    progress.report(1.0f);
-    return result;
+Status render_channels_offscreen(const Document& document, ImageProvider& images,
+                                 const OffscreenRequest& request,
+                                 std::span<const ChannelView> channels, const EachPicture& each,
+                                 const Progress& progress) {
+    const auto shown = [channels](const View& first, int i) {
+        View view = first;
+        view.channel = channels[static_cast<std::size_t>(i)];
+        return view;
+    };
+    return render_series(document, images, request, {static_cast<int>(channels.size()), shown},
+                         each, progress);
 }
 
 }  // namespace patina::render

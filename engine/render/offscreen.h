@@ -6,7 +6,7 @@
 
 #include <functional>
 #include <optional>
-#include <string>
+#include <span>
 
 #include "composite/image_provider.h"
 #include "core/progress.h"
@@ -26,13 +26,18 @@ struct OffscreenRequest {
     /// Everything but what the document says: its lights are added to the view's, its environment's
     /// rotation is added and its intensity multiplied.
     View view;
-    /// Set: `view.camera` is replaced by one that frames the scene from here.
+    /// Set: `view.camera`, but for its up and its lens, is replaced by one that frames the scene
+    /// from here.
     std::optional<ViewDirection> automatic_camera = ViewDirection::ThreeQuarter;
+    std::optional<glm::vec3> automatic_target;  ///< what that one looks at; unset: the middle
     /// An equirectangular map that is decoded already; null: the built-in one that the document
     /// names, or the studio.
     ImagePtr environment;
     EnvironmentCache environment_cache = {};  ///< where filtered environments are kept; nowhere
-    int max_map_size = kMaxResolution;        ///< baked maps are made at most this large
+    /// The costs of a picture are to be known: one of a single draw is drawn once more before, or
+    /// they would be those of compiling programs.
+    bool costs_wanted = false;
+    int max_map_size = kMaxResolution;  ///< baked maps are made at most this large
 };
 
 struct RenderedImage {
@@ -48,7 +53,7 @@ Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& 
                                        const OffscreenRequest& request,
                                        const Progress& progress = {});
 
-/// Takes picture `index` of a turntable, which is drawn over afterwards.
+/// Takes picture `index` of several, which is drawn over afterwards.
 using EachPicture = std::function<Status(int index, RenderedImage& picture)>;
 
 /// Pictures all around the target, counter-clockwise from above, equally far apart; the first is
@@ -57,9 +62,10 @@ Status render_turntable_offscreen(const Document& document, ImageProvider& image
                                   const OffscreenRequest& request, int pictures,
                                   const EachPicture& each, const Progress& progress = {});
 
-/// Ten pictures in one, the strip of channels, each `thumbnail` large.
-Result<RenderedImage> render_strip_offscreen(const Document& document, ImageProvider& images,
-                                             const OffscreenRequest& request, PictureSize thumbnail,
-                                             const Progress& progress = {});
+/// One picture of each of these channels, in their order, all of the same view.
+Status render_channels_offscreen(const Document& document, ImageProvider& images,
+                                 const OffscreenRequest& request,
+                                 std::span<const ChannelView> channels, const EachPicture& each,
+                                 const Progress& progress = {});
 
 }  // namespace patina::render

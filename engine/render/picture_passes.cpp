@@ -301,9 +301,11 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     program.set("clip_from_world", camera.clip_from_world);
     program.set("level_bias", camera.level_bias);
     bind_light(pass, program, state, {side, target, tables});
-    const auto order = blended ? back_to_front : front_to_back;
-    draw_surfaces(state, pass, program, base, order(state.scene->items, side.view.camera),
-                  surfaces);
+    if (blended)
+        draw_blended_surfaces(state, pass, program, base, side.view.camera);
+    else
+        draw_surfaces(state, pass, program, base,
+                      front_to_back(state.scene->items, side.view.camera), surfaces);
     return {};
 }
 
@@ -328,8 +330,8 @@ Status draw_post(RendererState& state, const SideView& side, const FrameCamera& 
     return {};
 }
 
-Status draw_difference(RendererState& state, const View& view, const gl::Framebuffer& left,
-                       const gl::Framebuffer& right, const PictureTarget& target) {
+Status draw_difference(RendererState& state, const View& view, const SidePictures& sides,
+                       const PictureTarget& target) {
     ShaderVariant variant{kFullScreenVertexFile, "passes/difference.frag", {}};
     add_output_constants(variant.constants, view, target.output);
     const Result<gl::Program*> found = state.shaders.program(variant);
@@ -340,8 +342,9 @@ Status draw_difference(RendererState& state, const View& view, const gl::Framebu
     set_output(program, view);
     program.set("picture_offset", target.picture_offset);
     program.set("difference_range", std::max(view.difference_range, 1e-6f));
-    pass.bind_texture(program, "left", 0, left.color(0));
-    pass.bind_texture(program, "right", 1, right.color(0));
+    program.set("radiance_share", 1.0f / static_cast<float>(sides.draws));
+    pass.bind_texture(program, "left", 0, sides.left->color(0));
+    pass.bind_texture(program, "right", 1, sides.right->color(0));
     pass.draw(program, state.full_screen, {.count = 3});
     return {};
 }

@@ -67,9 +67,16 @@ struct RadianceInput {
 Status draw_post(RendererState& state, const SideView& side, const FrameCamera& camera,
                  const RadianceInput& radiance, const PictureTarget& target);
 
+/// The radiance of the left and the right shading, each a whole picture.
+struct SidePictures {
+    const gl::Framebuffer* left = nullptr;
+    const gl::Framebuffer* right = nullptr;
+    int draws = 1;  ///< that each is the sum of
+};
+
 /// The heat map of two pictures of radiance.
-Status draw_difference(RendererState& state, const View& view, const gl::Framebuffer& left,
-                       const gl::Framebuffer& right, const PictureTarget& target);
+Status draw_difference(RendererState& state, const View& view, const SidePictures& sides,
+                       const PictureTarget& target);
 
 /// Fast anti-aliasing of an sRGB-encoded picture in and around these areas; the rest is copied.
 Status draw_smoothed(RendererState& state, const gl::Framebuffer& picture,

@@ -83,9 +83,11 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       gbuffer("gbuffer"),
       strip_gbuffer("strip gbuffer"),
       inspection(with_depth(color_target("inspection", gl::Format::Rgba32F))),
-      radiance(with_depth(color_target("radiance", gl::Format::Rgba16F))),
-      left(with_depth(color_target("left", gl::Format::Rgba16F))),
-      right(with_depth(color_target("right", gl::Format::Rgba16F))),
+      // Highlights of smooth metal in the sun go beyond what half floats hold, and infinity less a
+      // share of itself is no number.
+      radiance(with_depth(color_target("radiance", gl::Format::Rgba32F))),
+      left(with_depth(color_target("left", gl::Format::Rgba32F))),
+      right(with_depth(color_target("right", gl::Format::Rgba32F))),
       picture(with_depth(color_target("picture", gl::Format::Rgba8))),
       smoothed(color_target("smoothed", gl::Format::Rgba8)),
       wires({.label = "wires",
@@ -93,6 +95,7 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
              .depth = gl::Format::Depth32F}),
       strip(with_depth(color_target("strip", gl::Format::Rgba8))),
       accumulation(with_depth(color_target("accumulation", gl::Format::Rgba32F))),
+      accumulation_right(with_depth(color_target("accumulation.right", gl::Format::Rgba32F))),
       still(color_target("still", gl::Format::Rgba32F)),
       refinement(with_depth(color_target("refinement", gl::Format::Rgba32F))),
       refined(color_target("refined", gl::Format::Rgba8)),
@@ -135,23 +138,16 @@ Result<Renderer> Renderer::create() {
 }
 
 Status Renderer::set_scene(const ScenePtr& scene) {
-    GpuScene uploaded = upload_scene(scene);
-    Result<GpuGroundShadow> shadow =
-        upload_ground_shadow(ground_shadow(*scene, uploaded.bounds_world));
-    if (!shadow) return passed_on(shadow);
-    state_->scene = std::move(uploaded);
-    state_->shadow = std::move(*shadow);
+    state_->scene = upload_scene(scene);
+    state_->shadow.casters.reset();
     state_->shadow_maps.stale = true;
     return {};
 }
 
 void Renderer::assign_materials(const std::map<PartRef, int>& source_materials) {
     if (!state_->scene) return;
-    const Scene& scene = *state_->scene->scene;
     for (DrawItem& item : state_->scene->items) {
-        const MeshInstance& instance = scene.instances[static_cast<std::size_t>(item.instance)];
-        const Primitive& primitive = scene.meshes[static_cast<std::size_t>(instance.mesh)]
-                                         .primitives[static_cast<std::size_t>(item.primitive)];
+        const Primitive& primitive = primitive_of(*state_->scene, item);
         const auto assigned = source_materials.find(primitive.source);
         item.source_material =
             assigned == source_materials.end() ? primitive.source_material : assigned->second;
@@ -218,6 +214,11 @@ Status Renderer::draw_strip(const View& view, PictureSize thumbnail) {
     const Result<gl::Framebuffer*> strip = state_->strip.at(vector_of(whole));
     if (!strip) return passed_on(strip);
     return draw_strip_frame(*state_, view, vector_of(thumbnail), **strip);
+}
+
+Status Renderer::lay_wires(const View& view, Image& still) {
+    if (Status ready = require_content(*state_); !ready) return ready;
+    return render::lay_wires(*state_, view, still);
 }
 
 std::uintptr_t Renderer::picture_texture() const {

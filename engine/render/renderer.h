@@ -183,6 +183,10 @@ class Renderer {
     /// RGBA F32, premultiplied, alpha is coverage.
     Result<Image> still_linear(const View& view, PictureSize size, int samples);
 
+    /// Lays the edges of the triangles, as the view shows them, over a still of it, which has to be
+    /// sRGB-encoded.
+    Status lay_wires(const View& view, Image& still);
+
     /// The same in steps: one more draw with its own sub-pixel offset, and what the draws so far
     /// come to. Pictures may be drawn in between, other stills may not.
     Status draw_sample(Still& still);

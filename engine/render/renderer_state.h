@@ -77,8 +77,9 @@ struct RendererState {
     SizedTarget wires;
     SizedTarget strip;
     SizedTarget accumulation;
-    SizedTarget still;       ///< a sampled still, averaged and in display light
-    SizedTarget refinement;  ///< radiance, summed
+    SizedTarget accumulation_right;  ///< of the right side of a sampled difference
+    SizedTarget still;               ///< a sampled still, averaged and in display light
+    SizedTarget refinement;          ///< radiance, summed
     SizedTarget refined;
     SizedTarget probe_values;  ///< one texel a channel
 

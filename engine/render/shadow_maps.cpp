@@ -32,7 +32,7 @@ void draw_map(RendererState& state, std::size_t map, gl::Program& program) {
     program.set("clip_from_world", seen.clip_from_world);
     std::vector<std::size_t> order(state.scene->items.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    draw_surfaces(state, pass, program, {}, order, SurfaceSet::Opaque);
+    draw_surfaces(state, pass, program, {}, order, kShadowCasters);
 }
 
 /// A texture for so many maps. What it held is gone where it has to be another.

@@ -36,10 +36,15 @@ constexpr int kLeastSampledDraws = 64;
 /// sampled is averaged as radiance: a tone map of each draw would not have the same mean.
 bool samples_environment(const View& view, int samples, OutputMode output) {
     if (samples < kLeastSampledDraws) return false;
-    // The mean of differences of noise is not the difference of the means.
-    if (view.compare == CompareMode::Difference || shows_difference_beside(view)) return false;
+    if (shows_difference_beside(view)) return false;
     if (!shows_pbr(view)) return false;
     return output == OutputMode::Radiance || view.channel == ChannelView::Final;
+}
+
+/// Whether both sides are summed apart: the mean of differences of noise is not the difference of
+/// the means.
+bool sums_both_sides(const View& view, int samples, OutputMode output) {
+    return view.compare == CompareMode::Difference && samples_environment(view, samples, output);
 }
 
 /// Adds sample i of `samples` to the sum; the first clears it.
@@ -48,6 +53,11 @@ Status add_sample(RendererState& state, const View& view, PictureSize size, int 
     const Result<gl::Framebuffer*> sum = sum_for(state.accumulation, size, i);
     if (!sum) return passed_on(sum);
     const bool sampled = samples_environment(view, samples, output);
+    if (sums_both_sides(view, samples, output)) {
+        const Result<gl::Framebuffer*> right = sum_for(state.accumulation_right, size, i);
+        if (!right) return passed_on(right);
+        return add_radiance(state, view, size, **sum, {i, StillDraw{i, samples}, *right});
+    }
     if (sampled && output != OutputMode::Radiance)
         return add_radiance(state, view, size, **sum, {i, StillDraw{i, samples}});
     FrameTarget target{.framebuffer = *sum,
@@ -73,8 +83,22 @@ OutputMode output_of(const Still& still) {
     return still.linear ? OutputMode::Radiance : OutputMode::Display;
 }
 
+/// The difference of what both sides came to: RGBA, bottom row first.
+Result<std::vector<float>> difference_of_means(RendererState& state, const Still& still) {
+    const glm::ivec2 pixels(still.size.width, still.size.height);
+    const Result<gl::Framebuffer*> target = state.still.at(pixels);
+    if (!target) return passed_on(target);
+    if (Status drawn = draw_difference(
+            state, still.view,
+            {state.accumulation.get(), state.accumulation_right.get(), still.drawn},
+            {.framebuffer = *target, .area = {{0, 0}, pixels}, .output = output_of(still)});
+        !drawn)
+        return passed_on(drawn);
+    return (*target)->read_color(0, {0, 0}, pixels);
+}
+
 /// Display light of what was averaged as radiance, over the background.
-Result<std::vector<float>> finished(RendererState& state, const Still& still) {
+Result<std::vector<float>> shown_radiance(RendererState& state, const Still& still) {
     const glm::ivec2 pixels(still.size.width, still.size.height);
     const Result<gl::Framebuffer*> target = state.still.at(pixels);
     if (!target) return passed_on(target);
@@ -84,6 +108,16 @@ Result<std::vector<float>> finished(RendererState& state, const Still& still) {
         !drawn)
         return passed_on(drawn);
     return (*target)->read_color(0, {0, 0}, pixels);
+}
+
+/// What the draws so far come to: RGBA, premultiplied, bottom row first.
+Result<std::vector<float>> averaged(RendererState& state, const Still& still) {
+    const OutputMode output = output_of(still);
+    if (sums_both_sides(still.view, still.samples, output))
+        return difference_of_means(state, still);
+    if (!still.linear && samples_environment(still.view, still.samples, output))
+        return shown_radiance(state, still);
+    return mean_of(*state.accumulation.get(), still.size, still.drawn);
 }
 
 Image empty_image(PictureSize size, SampleType type) {
@@ -170,18 +204,12 @@ Status Renderer::draw_sample(Still& still) {
 
 Result<StillMean> Renderer::mean(const Still& still) {
     assert(still.drawn > 0);
+    Result<std::vector<float>> rgba = averaged(*state_, still);
+    if (!rgba) return passed_on(rgba);
     // Channels hold exact numbers: noise would change them.
-    StillMean mean{.size = still.size,
-                   .rgba_premultiplied = {},
-                   .dithered = info(still.view.channel).display == ChannelDisplay::Picture};
-    if (!still.linear && samples_environment(still.view, still.samples, OutputMode::Display)) {
-        Result<std::vector<float>> display = finished(*state_, still);
-        if (!display) return passed_on(display);
-        mean.rgba_premultiplied = std::move(*display);
-    } else {
-        mean.rgba_premultiplied = mean_of(*state_->accumulation.get(), still.size, still.drawn);
-    }
-    return mean;
+    return StillMean{.size = still.size,
+                     .rgba_premultiplied = std::move(*rgba),
+                     .dithered = info(still.view.channel).display == ChannelDisplay::Picture};
 }
 
 /// All draws of a still.

@@ -96,7 +96,7 @@ struct View {
     float exposure_ev = 0.0f;  ///< radiance is multiplied by 2^EV
     ToneMap tone_map = ToneMap::PbrNeutral;
     AntiAliasing anti_aliasing = AntiAliasing::Fast;
-    bool wires = false;  ///< edges of the triangles over the picture of the window; not in stills
+    bool wires = false;  ///< edges of the triangles over the picture; not in stills, see lay_wires
     /// Roughness takes in what of the normal map is finer than a pixel, against glints. Not where
     /// the environment is sampled: the many draws of such a picture see the normal map itself.
     bool filter_normals = true;

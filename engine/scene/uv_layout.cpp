@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/uv_layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "scene/uv_triangle.h"
 
@@ -44,6 +47,12 @@ void add(const UvCorners& corners, UvCoverage& coverage) {
                       coverage, 1);
 }
 
+/// Nothing is "0 %" but nothing, and nothing "100 %" but all.
+std::string percent(double share) {
+    if (share > 0.0 && share < 0.01) return "less than 1 %";
+    return fmt::format("{:.0f} %", share < 1.0 ? std::floor(100.0 * share) : 100.0);
+}
+
 }  // namespace
 
 UvCoverage uv_coverage(const UvSurface& surface, int size) {
@@ -77,6 +86,22 @@ UvLayout uv_layout(const UvSurface& surface, int size) {
     layout.used = static_cast<double>(used) / static_cast<double>(coverage.counts.size());
     layout.overlapped = used == 0 ? 0.0 : static_cast<double>(shared) / static_cast<double>(used);
     return layout;
+}
+
+std::string uv_layout_words(const UvLayout& layout) {
+    if (layout.triangles == 0) return "no triangle is made of it";
+    if (layout.without_uvs == layout.triangles) return "its triangles have no UVs";
+    std::string text =
+        layout.measured ? fmt::format("{} of the texture is used", percent(layout.used))
+                        : fmt::format("too many large triangles to measure ({})", layout.triangles);
+    if (layout.overlapped > 0.0)
+        text += fmt::format(", {} of that by several triangles", percent(layout.overlapped));
+    if (!layout.within_a_tile())
+        text += fmt::format(", from ({:.3g}, {:.3g}) to ({:.3g}, {:.3g})", layout.low.x,
+                            layout.low.y, layout.high.x, layout.high.y);
+    if (layout.without_uvs > 0)
+        text += fmt::format(", {} triangles have no UVs", layout.without_uvs);
+    return text;
 }
 
 }  // namespace patina

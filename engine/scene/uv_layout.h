@@ -5,6 +5,7 @@
 /// a place, so that whatever is there shows on all of them.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "scene/uv_surface.h"
@@ -36,5 +37,8 @@ UvCoverage uv_coverage(const UvSurface& surface, int size);
 /// Of so many large triangles that it would take longer than a second or so, only what needs no
 /// texels is told: see UvLayout::measured.
 UvLayout uv_layout(const UvSurface& surface, int size = 1024);
+
+/// In words for people: "62 % of the texture is used, 8 % of that by several triangles".
+std::string uv_layout_words(const UvLayout& layout);
 
 }  // namespace patina

@@ -6,8 +6,9 @@
 #include "passes/output.glsl"
 #include "shared/heat_map.glsl"
 
-uniform sampler2D left;   // radiance before exposure
+uniform sampler2D left;   // radiance before exposure, the sum of some draws
 uniform sampler2D right;
+uniform float radiance_share;    // of one draw
 uniform float difference_range;  // of exposed luminance: the top of the map
 
 layout(location = 0) out vec4 color;
@@ -16,7 +17,7 @@ void main() {
     ivec2 texel = ivec2(picture_pixel());
     vec4 a = texelFetch(left, texel, 0);
     vec4 b = texelFetch(right, texel, 0);
-    float difference = exposure * abs(luminance(a.rgb) - luminance(b.rgb));
+    float difference = exposure * radiance_share * abs(luminance(a.rgb) - luminance(b.rgb));
     if (OUTPUT_MODE == OUTPUT_RADIANCE) {
         color = vec4(vec3(difference), 1.0);
         return;

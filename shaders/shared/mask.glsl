@@ -4,7 +4,8 @@
 
 #include "shared/transcendental.glsl"
 
-// Masks: 0 hides, 1 shows. Entries are adjusted, joined to what is there and laid over by opacity.
+// Masks: 0 hides, 1 shows. Entries are adjusted, joined to what is there by the modes of blend.glsl
+// and laid over by opacity.
 
 /// Levels: in_low..in_high is stretched to 0..1 and held there, raised to 1 / gamma and put into
 /// out_low..out_high. As in raster editors (GIMP, "Levels"); in_low = in_high is a threshold.
@@ -28,39 +29,6 @@ Real inverted(Real x) {
 Real contrasted(Real x, float contrast, float balance) {
     float slope = contrast < 0.0f ? 1.0f + contrast : 1.0f / max(1.0f - contrast, 1e-4f);
     return clamp((x - balance) * slope + balance, 0.0f, 1.0f);
-}
-
-// How an entry joins the mask before it. All but add and subtract stay in 0..1 by themselves; those
-// are held to it, so that an entry above does not meet values that nobody sees.
-
-/// The entry alone.
-Real mask_replace(Real mask, Real entry) {
-    return entry;
-}
-
-/// Both: 1 is neutral.
-Real mask_multiply(Real mask, Real entry) {
-    return mask * entry;
-}
-
-/// The sum, at most 1: 0 is neutral.
-Real mask_add(Real mask, Real entry) {
-    return min(mask + entry, 1.0f);
-}
-
-/// The mask without the entry, at least 0: 0 is neutral.
-Real mask_subtract(Real mask, Real entry) {
-    return max(mask - entry, 0.0f);
-}
-
-/// Either: 0 is neutral.
-Real mask_lighten(Real mask, Real entry) {
-    return max(mask, entry);
-}
-
-/// The lower of the two: 1 is neutral.
-Real mask_darken(Real mask, Real entry) {
-    return min(mask, entry);
 }
 
 #endif

@@ -128,11 +128,10 @@ BENCHMARK_CAPTURE(frame_quarter, smoothed, AntiAliasing::Fast)
 void frame_bare(benchmark::State& run) {
     const gl::HeadlessContext context = headless();
     const ScenePtr scene = shader_ball_scene();
-    GpuScene uploaded = upload_scene(scene);
-    RendererState state(
-        value_or_exit(resource_folder("shaders")), value_or_exit(GpuMaterials::make()),
-        value_or_exit(upload_ground_shadow(ground_shadow(*scene, uploaded.bounds_world))));
-    state.scene = std::move(uploaded);
+    RendererState state(value_or_exit(resource_folder("shaders")),
+                        value_or_exit(GpuMaterials::make()),
+                        value_or_exit(upload_ground_shadow({.side = 1, .hidden = {HiddenSky{}}})));
+    state.scene = upload_scene(scene);
     state.environment = value_or_exit(
         upload_environment(value_or_exit(filter_environment(studio_map(), FilterQuality::First))));
     const glm::ivec2 size(kSize.width, kSize.height);

@@ -32,7 +32,7 @@ TEST_F(Compare, SaysTheSameOfAFileAndItself) {
 TEST_F(Compare, SaysWhichLayerDiffersAndByHowMuchTheMapsDo) {
     const Outcome text = patina({"compare", at("full.glb"), at("half.glb"), "--size", "64"});
     ASSERT_TRUE(succeeded(text));
-    EXPECT_THAT(text.out, HasSubstr("Ball / Rusted iron: opacity is 0.5"));
+    EXPECT_THAT(text.out, HasSubstr("Ball / Rusted iron: opacity is 0.5, was 1"));
     EXPECT_THAT(text.out, HasSubstr("base-color"));
     const auto json = nlohmann::json::parse(
         patina({"compare", at("full.glb"), at("half.glb"), "--size", "64", "--json"}).out);
@@ -45,6 +45,19 @@ TEST_F(Compare, SaysWhichLayerDiffersAndByHowMuchTheMapsDo) {
         roughness = roughness || map["channel"] == "roughness";
     }
     EXPECT_TRUE(roughness);
+}
+
+TEST_F(Compare, OfFilesWithoutACommonMaterialSaysThatThereAreNoMapsToCompare) {
+    const std::string other = at("plain.glb");
+    ASSERT_TRUE(succeeded(patina(
+        {"bake", sample(), "--set", "Ball/name=Other", "--set", "Stand/name=Foot", "-o", other})));
+    const Outcome outcome = patina({"compare", sample(), other, "--size", "64"});
+    ASSERT_TRUE(succeeded(outcome));
+    EXPECT_THAT(outcome.out, HasSubstr("no maps to compare"));
+    EXPECT_THAT(outcome.out, testing::Not(HasSubstr("the maps are the same")));
+    const auto json =
+        nlohmann::json::parse(patina({"compare", sample(), other, "--size", "64", "--json"}).out);
+    EXPECT_EQ(json["materials_compared"], 0);
 }
 
 TEST_F(Compare, ExplainEndsInTheValueThatIsBaked) {

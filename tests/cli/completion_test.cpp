@@ -25,7 +25,8 @@ class Completion : public ProgramTest {
     /// What is offered for the last of the words.
     std::vector<std::string> offered(const std::string& words) {
         const Outcome outcome = run_executable(
-            "bash", {"-c", "source '" + at("patina.bash") + "'; COMP_WORDS=(" + words +
+            "bash", {"-c", "source '" + at("patina.bash") + "'; patina() { '" PATINA_PROGRAM +
+                               "' \"$@\"; }; COMP_WORDS=(" + words +
                                "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _patina 2>/dev/null; "
                                "printf '%s\\n' \"${COMPREPLY[@]}\""});
         std::vector<std::string> lines;
@@ -41,10 +42,32 @@ TEST_F(Completion, OffersCommandsOptionsAndTheirValues) {
     EXPECT_THAT(offered("patina ''"), Contains("explain"));
     EXPECT_THAT(offered("patina bake in.glb --map"),
                 testing::UnorderedElementsAre("--maps", "--map-format"));
-    EXPECT_THAT(offered("patina bake in.glb --map-format ''"), ElementsAre("png", "tif", "exr"));
+    EXPECT_THAT(offered("patina bake in.glb --map-format ''"),
+                ElementsAre("png", "tif", "exr", "jpg"));
     EXPECT_THAT(offered("patina render in.glb --shading ph"), ElementsAre("phong"));
     EXPECT_THAT(offered("patina preset ''"), Contains("export"));
     EXPECT_THAT(offered("patina preset export --lic"), ElementsAre("--licence"));
+}
+
+TEST_F(Completion, OffersTheKnobsOfThePresetsThatWereGiven) {
+    const auto knobs = offered("patina bake in.glb --preset rusted-iron --knob ''");
+    EXPECT_THAT(knobs, Contains("rust="));
+    EXPECT_THAT(knobs, Contains("rusted-iron/rust="));
+    EXPECT_THAT(knobs, Not(Contains(testing::HasSubstr("painted-steel"))));
+    EXPECT_THAT(offered("patina bake in.glb --preset rusted-iron --knob painted-st"), IsEmpty());
+    EXPECT_THAT(offered("patina bake in.glb --knob painted-steel/"), Not(IsEmpty()));
+}
+
+TEST_F(Completion, OffersTheMaterialsOfTheFile) {
+    const std::string file = sample();
+    EXPECT_THAT(offered("patina explain '" + file + "' --material ''"),
+                ElementsAre("Ball", "Stand"));
+    // As bash splits "rusted-iron@B", and as it does not where "@" is no break.
+    EXPECT_THAT(offered("patina bake '" + file + "' --preset rusted-iron @ B"),
+                ElementsAre("Ball"));
+    EXPECT_THAT(offered("patina bake '" + file + "' --preset rusted-iron @"),
+                ElementsAre("Ball", "Stand"));
+    EXPECT_THAT(offered("patina bake '" + file + "' --textures wood@S"), ElementsAre("wood@Stand"));
 }
 
 TEST_F(Completion, LeavesFilesToTheShell) {

@@ -29,6 +29,17 @@ TEST_F(Info, ShowsTheStackOfWhatWasBakedAsATree) {
     EXPECT_GT(stack.back()["children"].size(), 1u);
 }
 
+TEST_F(Info, ListsTheCamerasOfTheFile) {
+    const std::string file = triangle_with_cameras();
+    const Outcome text = patina({"info", file});
+    ASSERT_TRUE(succeeded(text));
+    EXPECT_THAT(text.out, HasSubstr("camera 0 Close: perspective, 45.0 degrees"));
+    EXPECT_THAT(text.out, HasSubstr("camera 1 Side: orthographic, 3 m high"));
+    const nlohmann::json json = nlohmann::json::parse(patina({"info", file, "--json"}).out);
+    EXPECT_EQ(json["cameras"][1]["name"], "Side");
+    EXPECT_NEAR(json["cameras"][0]["fov_y_degrees"].get<double>(), 45.0, 1e-4);
+}
+
 TEST_F(Info, CheckFindsNothingWrongWithTheSample) {
     const Outcome check = patina({"check", sample(), "--json"});
     ASSERT_TRUE(succeeded(check));

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/triangle_with_cameras.h"
+
 namespace patina::cli_tests {
 namespace {
 
@@ -89,6 +91,11 @@ ProgramTest::~ProgramTest() {
 std::string ProgramTest::sample() const {
     EXPECT_TRUE(succeeded(patina({"sample", "-o", at("sample.glb")})));
     return at("sample.glb");
+}
+
+std::string ProgramTest::triangle_with_cameras() const {
+    std::ofstream(at("triangle.gltf")) << tests::kTriangleWithCameras;
+    return at("triangle.gltf");
 }
 
 std::size_t ProgramTest::files() const {

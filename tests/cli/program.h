@@ -40,6 +40,8 @@ class ProgramTest : public testing::Test {
     std::string at(const std::string& name) const { return (folder_ / name).string(); }
     /// Writes the sample scene into the folder and returns its path.
     std::string sample() const;
+    /// Writes the scene of support/triangle_with_cameras.h into the folder and returns its path.
+    std::string triangle_with_cameras() const;
     std::size_t files() const;
 
     std::filesystem::path folder_;

@@ -30,6 +30,12 @@ TEST_F(Usage, EveryCommandHasHelpWithAnExample) {
     }
 }
 
+TEST_F(Usage, FlagsThatTurnSomethingOffAreNamedPlainlyInTheHelp) {
+    const Outcome help = patina({"render", "--help"});
+    EXPECT_THAT(help.out, HasSubstr("--no-shadows "));
+    EXPECT_THAT(help.out, testing::Not(HasSubstr("{false}")));
+}
+
 TEST_F(Usage, TheVersionIsOneLine) {
     const Outcome version = patina({"--version"});
     ASSERT_TRUE(succeeded(version));
@@ -42,14 +48,14 @@ TEST_F(Usage, WrongUsageIsStatusTwoAndOneLineThatPointsToTheHelp) {
         {"bake"},
         {"bake", "in.glb"},
         {"bake", "in.glb", "-o", "out.obj"},
-        {"bake", "in.glb", "-o", at("out.glb"), "--size", "1000"},
+        {"bake", "in.glb", "-o", at("out.glb"), "--size", "0"},
         {"bake", "in.glb", "-o", at("out.glb"), "--threads", "0"},
         {"render", "in.glb", "-o", at("out.png"), "--size", "0x10"},
         {"render", "in.glb", "-o", at("out.png"), "--shading", "gouraud"},
         {"render", "in.glb", "-o", at("out.png"), "--channel", "smell"},
         {"render", "in.glb", "-o", at("out.png"), "--background", "#12345g"},
         {"render", "in.glb", "-o", at("out.png"), "--camera-position", "1,2"},
-        {"render", "in.glb", "-o", at("out.png"), "--camera-target", "1,2,3"},
+        {"render", "in.glb", "-o", at("out.png"), "--camera", "0", "--camera-target", "1,2,3"},
         {"preset"},
         {"sample", "--shape", "teapot", "-o", at("out.glb")},
     };

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <glm/glm.hpp>
+#include <iostream>
 #include <sstream>
 
 namespace patina::editor_tests {
@@ -41,13 +42,14 @@ std::vector<std::string> environment_with(const Surroundings& around) {
     for (char** entry = environ; *entry != nullptr; ++entry) {
         const std::string_view variable(*entry);
         if (!variable.starts_with("DISPLAY=") && !variable.starts_with("XDG_CONFIG_HOME=") &&
-            !variable.starts_with("XDG_CACHE_HOME="))
+            !variable.starts_with("XDG_CACHE_HOME=") && !variable.starts_with("XDG_DATA_HOME="))
             result.emplace_back(variable);
     }
     if (!around.display.empty()) result.push_back("DISPLAY=" + around.display);
     if (!around.settings_folder.empty()) {
         result.push_back("XDG_CONFIG_HOME=" + around.settings_folder);
         result.push_back("XDG_CACHE_HOME=" + around.settings_folder);
+        result.push_back("XDG_DATA_HOME=" + around.settings_folder);
     }
     return result;
 }
@@ -189,17 +191,31 @@ double different_share(const Pixels& a, const Pixels& b, int tolerance) {
 
 Editor::Editor(const std::string& display, const fs::path& folder,
                const std::vector<std::string>& arguments)
-    : display_(display), map_file_(folder / "ui.json"), screen_file_(folder / "screen.rgb") {
+    : display_(display),
+      map_file_(folder / "ui.json"),
+      screen_file_(folder / "screen.rgb"),
+      errors_file_(folder / "errors.txt") {
     fs::remove(map_file_);
     std::vector<std::string> words = {PATINA_PROGRAM, "--ui-map", map_file_.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    child_ = start(words, {display, (folder / "settings").string()}, nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors_file_.c_str(),
+                                       O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
+    child_ = start(words, {display, (folder / "settings").string()}, &actions);
+    ::posix_spawn_file_actions_destroy(&actions);
 }
 
 Editor::~Editor() {
-    if (child_ <= 0) return;
-    ::kill(child_, SIGKILL);
-    end_status(child_);
+    if (child_ > 0) {
+        ::kill(child_, SIGKILL);
+        end_status(child_);
+    }
+    std::ifstream file(errors_file_);
+    for (std::string line; std::getline(file, line);) {
+        EXPECT_EQ(line.find("OpenGL: "), std::string::npos) << line;
+        std::cerr << line << '\n';
+    }
 }
 
 void Editor::read_map() const {
@@ -322,12 +338,8 @@ bool Editor::click(const std::string& place, const std::string& label,
     if (!point_at_control(place, label, kind)) return false;
     run_tool({"xdotool", "click", "1"}, display_);
     if (kind != "item") return true;
-    // What lies behind a menu is out of reach until it is gone.
-    return wait_for("the menu to close", [&] {
-        const std::vector<Control> all = controls();
-        return std::none_of(all.begin(), all.end(),
-                            [](const Control& each) { return each.kind == "item"; });
-    });
+    // What lies behind a menu is out of reach until it is gone, or another has taken its place.
+    return wait_for("the menu to close", [&] { return !find(place, label, kind).has_value(); });
 }
 
 bool Editor::drag(const std::string& place, const std::string& label, const std::string& kind,

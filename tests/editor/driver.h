@@ -67,6 +67,7 @@ class Editor {
   public:
     Editor(const std::string& display, const std::filesystem::path& folder,
            const std::vector<std::string>& arguments);
+    /// Ends the program. That it met an OpenGL error is a test failure.
     ~Editor();
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
@@ -118,6 +119,7 @@ class Editor {
     std::string display_;
     std::filesystem::path map_file_;
     std::filesystem::path screen_file_;
+    std::filesystem::path errors_file_;  ///< what the program says on its standard error stream
     pid_t child_ = -1;
     mutable nlohmann::json map_;
     // Not the corner: GLFW takes a move to 0, 0 for one of its own and keeps quiet about it.

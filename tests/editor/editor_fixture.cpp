@@ -51,10 +51,11 @@ std::string EditorTest::stored(const fs::path& file) {
     return loaded ? serialise(*loaded->document) : loaded.error().message;
 }
 
-bool add_layer(const Editor& editor, const std::string& item) {
+bool add_layer(const Editor& editor, const std::string& item, const std::string& kind) {
     const std::size_t before = editor.layers().size();
     return editor.click("Layers", "Add layer", "button") &&
            editor.click("Layers/Popup", item, "item") &&
+           (kind.empty() || editor.click("Layers/Popup", kind, "item")) &&
            editor.wait_for(item, [&] { return editor.layers().size() == before + 1; }) &&
            editor.settle();
 }

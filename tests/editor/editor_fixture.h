@@ -33,7 +33,8 @@ class EditorTest : public testing::Test {
     std::filesystem::path folder_;
 };
 
-/// Adds a layer by the menu of the layer list, named as its item is.
-bool add_layer(const Editor& editor, const std::string& item);
+/// Adds a layer by the menu of the layer list.
+/// @param kind  what is chosen in the second menu, of items that open one
+bool add_layer(const Editor& editor, const std::string& item, const std::string& kind = {});
 
 }  // namespace patina::editor_tests

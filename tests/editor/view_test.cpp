@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 
 #include "editor/editor_fixture.h"
+#include "support/triangle_with_cameras.h"
 
 namespace patina::editor_tests {
 namespace {
@@ -103,7 +105,7 @@ TEST_F(ViewTest, WhatIsExplainedFollowsEdits) {
         return names;
     };
     ASSERT_TRUE(editor.wait_for("the explanation", [&] { return steps().size() == 1; }));
-    ASSERT_TRUE(add_layer(editor, "Add noise layer"));
+    ASSERT_TRUE(add_layer(editor, "Add procedural layer\u2026", "Perlin noise"));
     ASSERT_TRUE(editor.wait_for("the new layer in it", [&] { return steps().size() == 2; }));
     editor.key("ctrl+z");
     ASSERT_TRUE(editor.wait_for("the old explanation", [&] { return steps().size() == 1; }));
@@ -137,6 +139,24 @@ TEST_F(ViewTest, TheCameraLooksFromEverySideThroughAnyLensAndFramesAMaterial) {
     editor.key("f");
     ASSERT_TRUE(editor.wait_fact("camera", framed));
     EXPECT_EQ(editor.fact("edited"), "no");
+}
+
+TEST_F(ViewTest, TheCameraMenuGoesToTheCamerasOfTheFile) {
+    const fs::path file = folder_ / "triangle.gltf";
+    std::ofstream(file) << tests::kTriangleWithCameras;
+    Editor editor(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(editor, "triangle.gltf"));
+    const auto choose = [&](const std::string& item) {
+        ASSERT_TRUE(editor.click("Viewport/Tools", "Camera", "button"));
+        ASSERT_TRUE(editor.click("Viewport/Tools/Popup", item, "item"));
+        ASSERT_TRUE(editor.settle());
+    };
+    choose("Close");
+    EXPECT_EQ(editor.fact("lens"), "45");
+    const std::string close = editor.fact("camera");
+    choose("Side");
+    EXPECT_EQ(editor.fact("lens"), "orthographic");
+    EXPECT_NE(editor.fact("camera"), close);
 }
 
 TEST_F(ViewTest, EveryShapeIsThereWithoutAFile) {

@@ -137,8 +137,9 @@ class Walk : public EditorTest, public testing::WithParamInterface<std::string> 
 };
 
 void Walk::add_three_layers(const Editor& editor) {
-    for (const std::string item : {"Add value layer", "Add noise layer", "Add value layer"}) {
-        ASSERT_TRUE(add_layer(editor, item));
+    for (const std::string item :
+         {"Add value layer", "Add procedural layer\u2026", "Add value layer"}) {
+        ASSERT_TRUE(add_layer(editor, item, item == "Add value layer" ? "" : "Perlin noise"));
         // Without UVs a noise is its mean: the same grey as the layer above it.
         ASSERT_NO_FATAL_FAILURE(expect_step(
             editor, item, is_sample() ? NextPicture::Differs : NextPicture::MayBeEqual));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
 #include "core/files.h"
@@ -161,6 +162,31 @@ TEST_F(Golden, EveryShapeLooksAsItDid) {
         view.camera = framed(renderer().bounds_world(), 1.0f);
         expect_picture(view, "shape-" + std::string(shape.id));
     }
+}
+
+TEST_F(Golden, BallsOfGlassInOneAnotherLookAsTheyDid) {
+    auto scene = std::make_shared<Scene>();
+    scene->meshes = {shape_mesh(Shape::Sphere), shape_mesh(Shape::Torus)};
+    scene->meshes[1].primitives[0].source_material = 1;
+    const auto place = [](const glm::vec3& at, float size) {
+        return glm::scale(glm::translate(glm::mat4(1.0f), at), glm::vec3(size));
+    };
+    scene->instances = {
+        {.mesh = 0, .world_from_local = place({0.0f, 0.0f, 0.0f}, 1.0f), .name = "outer"},
+        {.mesh = 0, .world_from_local = place({0.1f, 0.05f, 0.0f}, 0.5f), .name = "inner"},
+        {.mesh = 1, .world_from_local = place({0.7f, 0.0f, 0.5f}, 0.8f), .name = "ring"}};
+    show(scene);
+    SurfaceMaterial glass = constant_surface({0.15f, 0.45f, 0.75f}, 0.0f, 0.1f);
+    glass[Slot::BaseColor].multiply.a = 0.4f;
+    glass.alpha_mode = AlphaMode::Blend;
+    glass.double_sided = true;
+    ASSERT_TRUE(renderer().set_material(0, glass));
+    glass[Slot::BaseColor].multiply = glm::vec4(0.8f, 0.25f, 0.1f, 0.6f);
+    ASSERT_TRUE(renderer().set_material(1, glass));
+    View view = view_;
+    view.camera = framed(renderer().bounds_world(), 1.0f);
+    view.background.kind = Background::Kind::Studio;
+    expect_picture(view, "blend-glass");
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ const std::array kLibraries = {
     Library{"OpenImageIO", {"OpenImageIO/"}, {"engine/io/openimageio"}},
     Library{"libtiff", {"tiffio"}, {"engine/io"}},
     Library{"CLI11", {"CLI/"}, {"app/cli"}},
+    Library{"FreeType", {"ft2build", "freetype"}, {"app/cli"}},
     Library{"Highway", {"hwy/"}, {"engine/core/formulae", "engine/composite", "engine/io"}},
 };
 

@@ -17,7 +17,7 @@ constexpr float kHeadHeight = 66.0f;
 }  // namespace
 
 void PresetDialog::open(const Preset& preset) {
-    preset_ = &preset;
+    preset_ = preset;
     knobs_.clear();
     for (const PresetKnob& knob : preset.knobs) knobs_.push_back({knob.id, knob.value});
     ball_asked_ = ball_shown_ = knobs_;
@@ -48,7 +48,7 @@ void PresetDialog::draw_knobs(Ui& ui, Rect rest) {
 }
 
 std::optional<ApplyPreset> PresetDialog::draw(Ui& ui, const Shown& shown) {
-    if (preset_ == nullptr) return std::nullopt;
+    if (!preset_) return std::nullopt;
     const float fields = 28.0f * static_cast<float>(knobs_.size());
     const float middle = std::max(kBallSide, kHeadHeight + fields);
     const Modal modal(ui, {"Preset", 520, 32 + middle + 16 + 26}, [this] { return is_open(); });
@@ -73,7 +73,7 @@ std::optional<ApplyPreset> PresetDialog::draw(Ui& ui, const Shown& shown) {
         chosen = ApplyPreset{preset_->id, false, knobs_};
     if (button({.label = "Replace the stack"})) chosen = ApplyPreset{preset_->id, true, knobs_};
     const bool cancelled = button({.label = "Cancel"});
-    if (chosen || cancelled || modal.dismissed()) preset_ = nullptr;
+    if (chosen || cancelled || modal.dismissed()) preset_.reset();
     return chosen;
 }
 

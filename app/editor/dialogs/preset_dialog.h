@@ -15,9 +15,8 @@ namespace patina::editor {
 
 class PresetDialog {
   public:
-    /// The preset has to outlive the dialog, as those of the library do.
     void open(const Preset& preset);
-    bool is_open() const { return preset_ != nullptr; }
+    bool is_open() const { return preset_.has_value(); }
     /// How the preset is to be laid on, in the frame in which that is chosen.
     std::optional<ApplyPreset> draw(Ui& ui, const Shown& shown);
 
@@ -25,7 +24,7 @@ class PresetDialog {
     void draw_knobs(Ui& ui, Rect rest);
     Picture ball(Thumbnails& thumbnails);
 
-    const Preset* preset_ = nullptr;
+    std::optional<Preset> preset_;
     std::vector<KnobSetting> knobs_;
     // One ball is made at a time: a drag does not queue up all the places that it goes through.
     std::vector<KnobSetting> ball_asked_;

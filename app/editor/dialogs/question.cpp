@@ -35,6 +35,7 @@ constexpr std::array kKeys = {
     KeyRow{"F10, F1", "Hide panels, this list"},
     KeyRow{"Drag, middle, wheel", "Orbit, pan, zoom"},
     KeyRow{"Shift-drag", "Turn the environment"},
+    KeyRow{"Ctrl wheel", "Step a number or a choice"},
 };
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include "editor/panels/adjustment_editor.h"
 
 #include <array>
+#include <functional>
 
 #include "document/edits.h"
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/levels_fields.h"
 #include "editor/widgets/buttons.h"
+#include "editor/widgets/curve_field.h"
 #include "editor/widgets/form.h"
 #include "editor/widgets/ramp_field.h"
 #include "editor/widgets/slider.h"
@@ -14,16 +16,19 @@
 namespace patina::editor {
 namespace {
 
+/// The edit of whatever has the adjustment.
+using EditOf = std::function<Edit(const AdjustmentSettings& changed, Parameter parameter)>;
+
 struct Editing {
     Ui& ui;
     Rect& rest;
-    const Material& material;
-    const Layer& layer;
     const AdjustmentSettings& now;
+    ViewState& view;
+    const EditOf& edit_of;
     Requests requests = {};
 
     void change(const AdjustmentSettings& changed, Parameter parameter) {
-        requests.edit(set_adjustment(material, layer, changed, parameter));
+        requests.edit(edit_of(changed, parameter));
     }
     void number(const Rect& box, Parameter parameter, float AdjustmentSettings::*member) {
         const auto next =
@@ -49,41 +54,39 @@ void draw_levels(Editing& editing) {
     editing.change(changed, change->parameter);
 }
 
-/// One line for each point: input, output, and a button that removes it.
+/// The graph, and below it the numbers of the point that is selected in it.
 void draw_curve(Editing& editing) {
+    Ui& ui = editing.ui;
+    CurveHold& hold = editing.view.curve;
     const std::vector<CurvePoint>& curve = editing.now.curve;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        const Place place(editing.ui, "point " + std::to_string(i + 1), i);
-        Rect line_box = next_line(editing.ui, editing.rest);
-        const Rect remove = line_box.cut_right(editing.ui.px(26));
-        const auto boxes = side_by_side<2>(editing.ui, line_box);
+    const auto change = [&](std::vector<CurvePoint> points, Parameter parameter) {
         AdjustmentSettings changed = editing.now;
-        const auto x = number_field(editing.ui, boxes[0], number_spec(Parameter::CurveX),
-                                    static_cast<double>(curve[i].x));
-        const auto y = number_field(editing.ui, boxes[1], number_spec(Parameter::CurveY),
-                                    static_cast<double>(curve[i].y));
-        if (x) changed.curve[i].x = static_cast<float>(*x);
-        if (y) changed.curve[i].y = static_cast<float>(*y);
-        if (x || y) editing.change(changed, x ? Parameter::CurveX : Parameter::CurveY);
-        if (curve.size() > 2 &&
-            icon_button(editing.ui, remove, {.icon = icon::kTrash, .label = "Remove point"})) {
-            changed.curve.erase(changed.curve.begin() + static_cast<std::ptrdiff_t>(i));
-            editing.change(changed, Parameter::CurveX);
-        }
+        changed.curve = std::move(points);
+        editing.change(changed, parameter);
+    };
+    const Rect graph = editing.rest.cut_top(ui.px(168));
+    editing.rest.cut_top(ui.px(theme::kGap));
+    if (auto points = curve_field(ui, graph, "Curve", curve, hold))
+        return change(std::move(*points), Parameter::CurveY);
+    if (hold.selected >= curve.size()) return;
+    const CurvePoint& selected = curve[hold.selected];
+    Rect line_box = next_line(ui, editing.rest);
+    const Rect remove = line_box.cut_right(ui.px(26));
+    const auto boxes = side_by_side<2>(ui, line_box);
+    const auto x =
+        number_field(ui, boxes[0], number_spec(Parameter::CurveX), static_cast<double>(selected.x));
+    const auto y =
+        number_field(ui, boxes[1], number_spec(Parameter::CurveY), static_cast<double>(selected.y));
+    if (x || y)
+        change(with_point_at(curve, hold.selected,
+                             {x ? static_cast<float>(*x) : selected.x,
+                              y ? static_cast<float>(*y) : selected.y}),
+               x ? Parameter::CurveX : Parameter::CurveY);
+    if (icon_button(ui, remove,
+                    {.icon = icon::kTrash, .label = "Remove point", .enabled = curve.size() > 2})) {
+        change(without_point(curve, hold.selected), Parameter::CurveY);
+        ui.edit_ended = true;
     }
-    if (curve.size() >= std::size_t{kMaxCurvePoints}) return;
-    const TextButton add{.label = "Add point", .tooltip = "In the middle of the widest gap"};
-    Rect line_box = next_line(editing.ui, editing.rest);
-    if (!text_button(editing.ui, line_box.cut_left(text_button_width(editing.ui, add)), add))
-        return;
-    std::size_t widest = 1;
-    for (std::size_t i = 2; i < curve.size(); ++i)
-        if (curve[i].x - curve[i - 1].x > curve[widest].x - curve[widest - 1].x) widest = i;
-    AdjustmentSettings changed = editing.now;
-    const CurvePoint middle{0.5f * (curve[widest - 1].x + curve[widest].x),
-                            0.5f * (curve[widest - 1].y + curve[widest].y)};
-    changed.curve.insert(changed.curve.begin() + static_cast<std::ptrdiff_t>(widest), middle);
-    editing.change(changed, Parameter::CurveX);
 }
 
 void draw_gradient(Editing& editing) {
@@ -157,27 +160,48 @@ void draw_numbers(Editing& editing) {
     }
 }
 
-}  // namespace
-
-Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer) {
-    const auto* content = std::get_if<AdjustmentContent>(&layer.content);
-    if (content == nullptr) return {};
+/// `allowed`: the kinds that can be chosen; null: all.
+Requests draw_fields(Ui& ui, Rect& rest, const AdjustmentSettings& now, ViewState& view,
+                     const EditOf& edit_of, bool (*allowed)(AdjustmentKind)) {
     const Place place(ui, "Adjustment");
-    Rect inner = rest;
-    inner.x0 += ui.px(12);
-    inner.x1 -= ui.px(12);
-    const float top = inner.y0;
-    Editing editing{ui, inner, material, layer, content->adjustment};
-    const auto kind = parameter_combo(ui, next_line(ui, inner), Parameter::AdjustmentKindChoice,
-                                      content->adjustment.kind);
+    Editing editing{ui, rest, now, view, edit_of};
+    const auto kind = parameter_combo(ui, next_line(ui, rest), Parameter::AdjustmentKindChoice,
+                                      now.kind, true, allowed);
     if (kind) {
-        AdjustmentSettings changed = content->adjustment;
+        AdjustmentSettings changed = now;
         changed.kind = *kind;
         editing.change(changed, Parameter::AdjustmentKindChoice);
     }
     draw_numbers(editing);
-    rest.cut_top(inner.y0 - top + ui.px(6));
     return std::move(editing.requests);
+}
+
+}  // namespace
+
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer,
+                         ViewState& view) {
+    const auto* content = std::get_if<AdjustmentContent>(&layer.content);
+    if (content == nullptr) return {};
+    Rect inner = rest;
+    inner.x0 += ui.px(12);
+    inner.x1 -= ui.px(12);
+    const float top = inner.y0;
+    const EditOf edit_of = [&](const AdjustmentSettings& changed, Parameter parameter) {
+        return set_adjustment(material, layer, changed, parameter);
+    };
+    Requests requests = draw_fields(ui, inner, content->adjustment, view, edit_of, nullptr);
+    rest.cut_top(inner.y0 - top + ui.px(6));
+    return requests;
+}
+
+Requests draw_adjustment(Ui& ui, Rect& rest, const Material& material, const Layer& layer,
+                         const MaskEntry& entry, ViewState& view) {
+    if (!entry.adjustment) return {};
+    const EditOf edit_of = [&](const AdjustmentSettings& changed, Parameter parameter) {
+        return set_mask_entry_adjustment(material, layer, entry, changed, parameter);
+    };
+    return draw_fields(ui, rest, *entry.adjustment, view, edit_of,
+                       [](AdjustmentKind kind) { return adjusts_masks(kind); });
 }
 
 }  // namespace patina::editor

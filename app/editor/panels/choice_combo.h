@@ -26,20 +26,29 @@ std::optional<Enum> choice_combo(Ui& ui, const Rect& rect, const ComboSpec& spec
     return choices[static_cast<std::size_t>(*picked)].value;
 }
 
-/// A combo over one of the document's tables, named and explained by its parameter.
+/// A combo over those of one of the document's tables that are `allowed` (null: all), named and
+/// explained by its parameter.
 template <typename Enum>
 std::optional<Enum> parameter_combo(Ui& ui, const Rect& rect, Parameter parameter, Enum current,
-                                    bool with_label = true) {
+                                    bool with_label = true, bool (*allowed)(Enum) = nullptr) {
     const auto table = patina::choices<Enum>();
     std::vector<ComboItem> items;
-    for (const Choice& row : table) items.push_back({.label = row.label});
+    std::vector<Enum> values;
+    int chosen = -1;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const auto value = static_cast<Enum>(i);
+        if (allowed != nullptr && !allowed(value)) continue;
+        if (value == current) chosen = static_cast<int>(items.size());
+        items.push_back({.label = table[i].label});
+        values.push_back(value);
+    }
     const ParameterInfo& row = info(parameter);
     const ComboSpec spec{.label = row.label,
                          .shown_label = with_label ? row.label : std::string_view(),
                          .tooltip = row.tooltip};
-    const std::optional<int> picked = combo(ui, rect, spec, items, static_cast<int>(current));
+    const std::optional<int> picked = combo(ui, rect, spec, items, chosen);
     if (!picked) return std::nullopt;
-    return static_cast<Enum>(*picked);
+    return values[static_cast<std::size_t>(*picked)];
 }
 
 }  // namespace patina::editor

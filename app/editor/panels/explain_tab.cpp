@@ -56,13 +56,19 @@ void draw_heading(const Ui& ui, const Rect& row, Channel channel) {
 }
 
 void draw_step(Ui& ui, const Rect& row, const ExplainStep& step, Channel channel, ViewState& view) {
-    const bool lit = view.layer == step.layer;
+    const bool of_layer = step.layer != LayerId{};
+    const bool lit = of_layer && view.layer == step.layer;
+    const Tip covered{.title = step.layer_name,
+                      .text = fmt::format("The group covers {} of this channel so far.",
+                                          number_text(static_cast<double>(step.coverage)))};
     const Place place(ui, step.layer_name, step.layer.value);
-    const Press pressed = press(
-        ui, row,
-        {.label = step.layer_name, .kind = "step", .value = value_words(channel, step.result)});
+    const Press pressed = press(ui, row,
+                                {.label = step.layer_name,
+                                 .kind = "step",
+                                 .value = value_words(channel, step.result),
+                                 .tip = step.depth > 0 ? &covered : nullptr});
     if (lit || pressed.hovered) fill(ui, row, lit ? theme::kSelected : theme::kRowHover);
-    if (pressed.clicked) view.layer = step.layer;
+    if (pressed.clicked && of_layer) view.layer = step.layer;
     Columns columns = columns_of(ui, row, channel);
     columns.layer.x0 += ui.px(12) * static_cast<float>(step.depth);
     text(ui, columns.layer, ui.fonts.value12, lit ? theme::kText : theme::kText2, step.layer_name);

@@ -7,6 +7,7 @@
 
 #include "document/edits.h"
 #include "editor/panels/blend_combo.h"
+#include "editor/panels/kind_menus.h"
 #include "editor/panels/panels.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/dragging.h"
@@ -59,6 +60,7 @@ std::vector<Row> rows_of(const Material& material, const ViewState& view) {
 
 struct RowParts {
     Rect eye;
+    Rect clip;   ///< of one that is clipped to the layer below
     Rect angle;  ///< of a group
     Rect thumbnail;
     Rect mask;  ///< empty without one
@@ -72,6 +74,7 @@ RowParts parts_of(const Ui& ui, const Row& row, const Rect& rect) {
     rest.cut_right(ui.px(10));
     parts.eye = rest.cut_left(ui.px(34));
     rest.cut_left(ui.px(16) * static_cast<float>(std::min(row.depth, 6)));
+    if (row.layer->clipped) parts.clip = rest.cut_left(ui.px(16));
     if (row.layer->is_group()) parts.angle = rest.cut_left(ui.px(16));
     parts.thumbnail = rest.cut_left(ui.px(32)).centered(ui.px(32), ui.px(32));
     if (!row.layer->mask.entries.empty()) {
@@ -134,20 +137,44 @@ Requests draw_thumbnails(Ui& ui, const RowParts& parts, const Material& material
     return requests;
 }
 
+/// What is special about the layer, at the right of its name.
+void draw_marks(Ui& ui, Rect& rect, const Layer& layer) {
+    const auto mark = [&](const char* glyph, std::string_view label, std::string words) {
+        const Rect box = rect.cut_right(ui.px(16));
+        rect.cut_right(ui.px(2));
+        icon_glyph(ui, box, glyph, theme::kText3, 12);
+        const Tip tip{std::string(label), std::move(words)};
+        note(ui, box, {.label = label, .kind = "mark", .tip = &tip});
+    };
+    if (layer.locked)
+        mark(icon::kLock, "Locked", std::string(info(Parameter::LayerLocked).tooltip));
+    if (const auto* content = std::get_if<AdjustmentContent>(&layer.content))
+        mark(icon::kSliders, "Adjustment", std::string(choice(content->adjustment.kind).label));
+    if (layer.height_blend.enabled)
+        mark(icon::kHeights, info(Parameter::HeightBlendEnabled).label,
+             std::string(info(Parameter::HeightBlendEnabled).tooltip));
+}
+
+/// The arrow that says what the layer is clipped to.
+void draw_clip(Ui& ui, const Rect& rect) {
+    if (rect.empty()) return;
+    icon_glyph(ui, rect, icon::kClip, theme::kText2, 12);
+    const Tip tip{"Clipped", std::string(info(Parameter::LayerClipped).tooltip)};
+    note(ui, rect, {.label = "Clipped", .kind = "mark", .tip = &tip});
+}
+
 Requests draw_name(Ui& ui, Rect rect, const Material& material, const Row& row, ViewState& view) {
     Requests requests;
     const Layer& layer = *row.layer;
     if (view.renaming_layer == layer.id) {
-        const ImGuiID id = ImGui::GetID("rename");
-        if (ui.typing.id != id) start_typing(ui, id, layer.name);
+        bool renaming = true;
         const Rect field = rect.inset(-ui.px(6), -ui.px(1));
-        fill(ui, field, theme::kFieldHover, 4);
-        const auto words = typed(ui, id, field, ui.fonts.body13);
-        if (words && !words->empty()) requests.edit(rename_layer(material, layer, *words));
-        if (ui.typing.id == 0) view.renaming_layer = {};
+        if (const auto name = rename_field(ui, field, layer.name, renaming))
+            requests.edit(rename_layer(material, layer, *name));
+        if (!renaming) view.renaming_layer = {};
         return requests;
     }
-    if (layer.locked) icon_glyph(ui, rect.cut_right(ui.px(16)), icon::kLock, theme::kText3, 12);
+    draw_marks(ui, rect, layer);
     const bool strong = view.layer == layer.id || layer.is_group();
     text(ui, rect, strong ? ui.fonts.medium13 : ui.fonts.body13,
          row.hidden ? theme::kText3 : theme::kText, layer.name);
@@ -172,7 +199,7 @@ Requests draw_details(Ui& ui, Rect rect, const Material& material, const Row& ro
     }
     if (view.layer == layer.id && !layer.locked) {
         const auto mode = blend_combo(ui, rect, {.label = "Blend mode", .flat = true},
-                                      ChannelKind::Color, layer.mode);
+                                      ChannelKind::Color, layer.mode, blend_of(layer));
         if (mode) requests.edit(set_layer_mode(material, layer, *mode));
     } else {
         text(ui, rect, ui.fonts.caption11, color, info(layer.mode).label);
@@ -180,16 +207,22 @@ Requests draw_details(Ui& ui, Rect rect, const Material& material, const Row& ro
     return requests;
 }
 
+bool is_on(Action action, const Shown& shown) {
+    return action == Action::ClipLayer && shown.layer && shown.layer->clipped;
+}
+
 void draw_row_menu(Ui& ui, const Shown& shown, Requests& requests) {
     PopupMenu menu(ui, "layer menu", 200);
     if (!menu.open()) return;
     for (const Action action :
          {Action::RenameLayer, Action::DuplicateLayer, Action::HideLayer, Action::LockLayer,
-          Action::GroupLayer, Action::UngroupLayer, Action::AddNoiseMask, Action::AddImageMask,
-          Action::ClearMask, Action::Copy, Action::Paste, Action::DeleteLayer})
-        if (applies(action, shown) &&
-            menu.item(
-                {.icon = info(action).icon, .label = info(action).label, .key = info(action).key}))
+          Action::ClipLayer, Action::GroupLayer, Action::UngroupLayer, Action::AddNoiseMask,
+          Action::AddImageMask, Action::ClearMask, Action::Copy, Action::Paste,
+          Action::SaveLayerPreset, Action::DeleteLayer})
+        if (applies(action, shown) && menu.item({.icon = info(action).icon,
+                                                 .label = info(action).label,
+                                                 .key = info(action).key,
+                                                 .ticked = is_on(action, shown)}))
             requests.ask(action);
 }
 
@@ -308,6 +341,7 @@ Requests draw_row(Ui& ui, const Rect& rect, const Row& row, const Shown& shown, 
         requests.append(draw_thumbnails(ui, parts, *shown.material, row, shown, view));
     }
     requests.append(draw_eye(ui, parts.eye, *shown.material, row, view));
+    draw_clip(ui, parts.clip);
     if (layer.is_group()) {
         const bool open = is_unfolded(layer, view);
         const Press angle = press(
@@ -347,6 +381,32 @@ void draw_group_lines(const Ui& ui, const std::vector<Row>& rows, float x0, floa
     }
 }
 
+/// What can be added; of procedurals and adjustments a second menu asks which.
+Requests draw_add_menu(Ui& ui, const Rect& anchor) {
+    Requests requests;
+    constexpr const char* kProcedurals = "add procedural";
+    constexpr const char* kAdjustments = "add adjustment";
+    const char* next = nullptr;
+    place_popup(anchor, ui.px(2));
+    if (PopupMenu menu(ui, "add layer", 180); menu.open()) {
+        const auto item = [&](Action action, std::string_view label) {
+            return menu.item({.icon = info(action).icon, .label = label});
+        };
+        for (const Action action : {Action::AddValueLayer, Action::AddImageLayer, Action::AddGroup})
+            if (item(action, info(action).label)) requests.ask(action);
+        if (item(Action::AddNoiseLayer, "Add procedural layer\u2026")) next = kProcedurals;
+        if (item(Action::AddAdjustment, "Add adjustment\u2026")) next = kAdjustments;
+    }
+    if (next != nullptr) ImGui::OpenPopup(next);
+    place_popup(anchor, ui.px(2));
+    if (const auto kind = procedural_menu(ui, kProcedurals))
+        requests.ask(AddNewLayer{procedural_layer(*kind)});
+    place_popup(anchor, ui.px(2));
+    if (const auto kind = adjustment_menu(ui, kAdjustments))
+        requests.ask(AddNewLayer{adjustment_layer(*kind)});
+    return requests;
+}
+
 Requests draw_title(Ui& ui, Rect title, const Shown& shown, std::size_t count, ViewState& view) {
     Requests requests;
     panel_title(ui, title, "Layers", count > 0 ? std::to_string(count) : "");
@@ -364,12 +424,7 @@ Requests draw_title(Ui& ui, Rect title, const Shown& shown, std::size_t count, V
         icon_glyph(ui, half, icon::kAngleDown, theme::kText2, 11);
     }
     if (pressed.clicked) ImGui::OpenPopup("add layer");
-    place_popup(plus, ui.px(2));
-    if (PopupMenu menu(ui, "add layer", 180); menu.open())
-        for (const Action action : {Action::AddValueLayer, Action::AddNoiseLayer,
-                                    Action::AddImageLayer, Action::AddGroup, Action::AddAdjustment})
-            if (menu.item({.icon = info(action).icon, .label = info(action).label}))
-                requests.ask(action);
+    requests.append(draw_add_menu(ui, plus));
     const auto button = [&](Action action, std::string_view label) {
         title.cut_right(ui.px(2));
         if (icon_button(ui, title.cut_right(ui.px(26)),

@@ -8,6 +8,7 @@
 #include "editor/panels/choice_combo.h"
 #include "editor/panels/light_fields.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/placement_fields.h"
 #include "editor/panels/shading_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -73,8 +74,13 @@ Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& v
     if (const auto v =
             number(padded_line(ui, rest), Parameter::MaterialHeightScale, material.height_scale))
         requests.edit(set_material_height_scale(material, static_cast<float>(*v)));
-    if (const auto padding = parameter_combo(ui, padded_line(ui, rest), Parameter::MaterialPadding,
-                                             material.padding))
+    Rect baking = padded_line(ui, rest);
+    if (const auto set = uv_set_combo(ui, baking.cut_right(ui.px(72)), Parameter::MaterialUvSet,
+                                      material.uv_set))
+        requests.edit(set_material_uv_set(material, *set));
+    baking.cut_right(ui.px(theme::kGap));
+    if (const auto padding =
+            parameter_combo(ui, baking, Parameter::MaterialPadding, material.padding))
         requests.edit(set_material_padding(material, *padding));
     const auto flags = side_by_side<2>(ui, padded_line(ui, rest));
     const auto toggle = [&](const Rect& rect, Parameter parameter, bool on) {
@@ -86,6 +92,24 @@ Requests draw_surface(Ui& ui, Rect& rest, const Material& material, ViewState& v
         requests.edit(set_material_unlit(material, !material.unlit));
     rest.cut_top(ui.px(6));
     return requests;
+}
+
+/// How much of the texture the parts use, and a warning where several share a texel: what is laid
+/// there is seen on all of them.
+void draw_uv_layout(Ui& ui, Rect& rest, const UvLayout& layout) {
+    const bool overlaps = layout.overlapped > 0.0;
+    std::string words = "UVs: " + uv_layout_words(layout);
+    if (overlaps) words += ". What is laid there is seen on all of them";
+    Rect box = rest.inset(ui.px(12), 0);
+    const Rect mark = box.cut_left(ui.px(16));
+    box.cut_left(ui.px(6));
+    const float height = paragraph(ui, box, ui.fonts.value12, theme::kText2, words);
+    const Rect first_line{mark.x0, mark.y0, mark.x1, mark.y0 + ui.px(16)};
+    icon_glyph(ui, first_line, overlaps ? icon::kWarning : icon::kInfo,
+               overlaps ? theme::kWarning : theme::kText3, 12);
+    note(ui, {mark.x0, mark.y0, box.x1, mark.y0 + height},
+         {.label = "UV layout", .kind = overlaps ? "warning" : "note", .value = words});
+    rest.cut_top(height + ui.px(10));
 }
 
 Requests draw_environment(Ui& ui, Rect& rest, const Document& document, ViewState& view) {
@@ -199,6 +223,7 @@ Requests draw_material_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewSta
     const float top = rest.y0;
     draw_head(ui, rest, *shown.material, shown);
     requests.append(draw_surface(ui, rest, *shown.material, view));
+    if (shown.uv_layout) draw_uv_layout(ui, rest, *shown.uv_layout);
     requests.append(draw_material_parts(ui, rest, shown, view));
     requests.append(draw_environment(ui, rest, *shown.document, view));
     requests.append(draw_lights(ui, rest, *shown.document, view));

@@ -40,12 +40,10 @@ Requests draw_menu(Ui& ui, const Shown& shown) {
 std::optional<std::string> renamed(Ui& ui, const Rect& rect, const Material& material,
                                    ViewState& view) {
     if (view.renaming_material != material.id) return std::nullopt;
-    const ImGuiID id = ImGui::GetID("rename");
-    if (ui.typing.id != id) start_typing(ui, id, material.name);
-    fill(ui, rect, theme::kFieldHover, 4);
-    std::optional<std::string> words = typed(ui, id, rect, ui.fonts.body13);
-    if (ui.typing.id == 0) view.renaming_material = {};
-    return words;
+    bool renaming = true;
+    const auto name = rename_field(ui, rect, material.name, renaming);
+    if (!renaming) view.renaming_material = {};
+    return name;
 }
 
 Requests draw_row(Ui& ui, const Rect& rect, const MaterialPtr& material, std::size_t part_count,

@@ -11,6 +11,8 @@
 #include "document/procedural_kinds.h"
 #include "document/references.h"
 #include "editor/panels/choice_combo.h"
+#include "editor/panels/image_range.h"
+#include "editor/panels/kind_menus.h"
 #include "editor/panels/surface_fields.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/color_field.h"
@@ -31,10 +33,14 @@ std::vector<LayerPtr> readable_layers(const EditedSource& edited, const Shown& s
     return referable_layers(shown.material->stack, edited.layer);
 }
 
-/// Relief and parts are one number: of masks and scalars. Parts are offered to masks. Another layer
-/// is offered where there is one.
+/// A procedural is one number too, whose ramp makes colours of it but no directions: bumps are a
+/// procedural of the height. Relief and parts are one number: of masks and scalars. Parts are
+/// offered to masks. Another layer is offered where there is one.
 std::vector<Kind> kinds_for(const EditedSource& edited, const Shown& shown) {
-    std::vector<Kind> kinds = {Kind::Value, Kind::Image, Kind::Procedural};
+    const bool normal = edited.channel && info(*edited.channel).kind == ChannelKind::Normal;
+    std::vector<Kind> kinds = {Kind::Value, Kind::Image};
+    if (!normal || std::holds_alternative<ProceduralSource>(edited.source))
+        kinds.push_back(Kind::Procedural);
     if (!edited.channel || info(*edited.channel).kind == ChannelKind::Scalar)
         kinds.push_back(Kind::Relief);
     if (std::holds_alternative<ReferenceSource>(edited.source) ||
@@ -51,14 +57,6 @@ glm::vec3 neutral_value(std::optional<Channel> channel) {
 
 bool is_color(std::optional<Channel> channel) {
     return channel && info(*channel).kind == ChannelKind::Color;
-}
-
-/// A noise for the channel: from black to white, a flat normal kept.
-ProceduralSource new_procedural(std::optional<Channel> channel) {
-    ProceduralSource source;
-    if (channel && info(*channel).kind == ChannelKind::Normal)
-        source.ramp = {{0.0f, neutral_value(channel)}};
-    return source;
 }
 
 ImageSource new_image(const ImageAsset& image, std::optional<Channel> channel) {
@@ -89,7 +87,7 @@ Requests change_kind(const EditedSource& edited, Kind kind, const Shown& shown) 
                 requests.ask(ChooseImageFor{edited.layer, edited.entry});
             break;
         case Kind::Procedural:
-            requests.edit(set_source(edited.place, new_procedural(edited.channel)));
+            requests.edit(set_source(edited.place, ProceduralSource{}));
             break;
         case Kind::Relief:
             requests.edit(set_source(edited.place, ReliefSource{}));
@@ -175,7 +173,7 @@ Requests draw_image(Ui& ui, Rect& rest, const EditedSource& edited, const ImageS
                                         Parameter::ImageFilter, source.filter);
     if (filter) requests.edit(set_image_filter(edited.place, *filter));
     requests.append(draw_image_switches(ui, rest, edited, source));
-    requests.append(draw_projection(ui, rest, edited.place, source.projection));
+    requests.append(draw_image_range(ui, rest, edited, source));
     return requests;
 }
 
@@ -187,23 +185,23 @@ RampSpec ramp_spec(std::optional<Channel> channel) {
             .maximum = static_cast<float>(row.maximum)};
 }
 
+/// A stop that is dragged or recoloured is one step; one that is added or removed too.
+Edit ramp_edit(const SourcePlace& place, const std::vector<RampStop>& before,
+               std::vector<RampStop> after) {
+    if (before.size() == after.size())
+        for (std::size_t i = 0; i < after.size(); ++i)
+            if (after[i] != before[i]) return set_ramp_stop(place, static_cast<int>(i), after[i]);
+    return set_ramp(place, std::move(after));
+}
+
 /// A combo of all noises and patterns under their headings.
 std::optional<ProceduralKind> procedural_combo(Ui& ui, const Rect& rect, ProceduralKind current) {
-    std::vector<ComboItem> items;
-    std::vector<ProceduralKind> kinds;
-    int chosen = -1;
-    for (const std::string_view group : kProceduralGroups)
-        for (const ProceduralKindInfo& row : kProceduralKindInfos) {
-            if (row.group != group) continue;
-            if (row.kind == current) chosen = static_cast<int>(items.size());
-            items.push_back(
-                {.label = choice(row.kind).label, .group = row.group, .tooltip = row.tooltip});
-            kinds.push_back(row.kind);
-        }
+    const auto [items, kinds] = procedural_rows();
+    const auto chosen = std::find(kinds.begin(), kinds.end(), current) - kinds.begin();
     const ParameterInfo& row = info(Parameter::ProceduralKindChoice);
     const auto picked =
         combo(ui, rect, {.label = row.label, .shown_label = row.label, .tooltip = row.tooltip},
-              items, chosen);
+              items, static_cast<int>(chosen));
     if (!picked) return std::nullopt;
     return kinds[static_cast<std::size_t>(*picked)];
 }
@@ -267,7 +265,7 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
         const Rect bar = rest.cut_top(ui.px(34));
         rest.cut_top(ui.px(6));
         if (auto stops = ramp_field(ui, bar, ramp_spec(edited.channel), source.ramp))
-            requests.edit(set_ramp(place, std::move(*stops)));
+            requests.edit(ramp_edit(place, source.ramp, std::move(*stops)));
     }
     const auto number = [&](const Rect& rect, Parameter parameter, double value) {
         NumberSpec spec = number_spec(parameter);
@@ -285,7 +283,6 @@ Requests draw_procedural(Ui& ui, Rect& rest, const EditedSource& edited,
     if (const auto v = number(first[2], Parameter::ProceduralSeed, source.seed))
         requests.edit(set_procedural_seed(place, static_cast<std::uint32_t>(*v)));
     requests.append(draw_procedural_numbers(ui, rest, place, source));
-    requests.append(draw_projection(ui, rest, place, source.projection));
     return requests;
 }
 

@@ -5,10 +5,8 @@
 #include <set>
 
 #include "document/parts.h"
-#include "editor/panels/choice_combo.h"
 #include "editor/widgets/buttons.h"
 #include "editor/widgets/form.h"
-#include "editor/widgets/slider.h"
 
 namespace patina::editor {
 namespace {
@@ -71,32 +69,6 @@ Requests draw_geometry(Ui& ui, Rect& rest, const SourcePlace& place, const Geome
     for (const std::string& name : materials)
         requests.append(draw_name(ui, next_line(ui, rest), place, now, &GeometrySource::materials,
                                   name, "Material " + name));
-    return requests;
-}
-
-Requests draw_projection(Ui& ui, Rect& rest, const SourcePlace& place, const Projection& now) {
-    Requests requests;
-    Projection changed = now;
-    if (const auto kind =
-            parameter_combo(ui, next_line(ui, rest), Parameter::ProjectionKindChoice, now.kind)) {
-        changed.kind = *kind;
-        requests.edit(set_projection(place, changed, Parameter::ProjectionKindChoice));
-    }
-    if (now.kind == ProjectionKind::Planar) {
-        if (const auto axis = parameter_combo(ui, next_line(ui, rest),
-                                              Parameter::ProjectionAxisChoice, now.axis)) {
-            changed.axis = *axis;
-            requests.edit(set_projection(place, changed, Parameter::ProjectionAxisChoice));
-        }
-    }
-    if (now.kind == ProjectionKind::TriPlanar) {
-        if (const auto blend =
-                number_field(ui, next_line(ui, rest), number_spec(Parameter::ProjectionBlend),
-                             static_cast<double>(now.blend))) {
-            changed.blend = static_cast<float>(*blend);
-            requests.edit(set_projection(place, changed, Parameter::ProjectionBlend));
-        }
-    }
     return requests;
 }
 

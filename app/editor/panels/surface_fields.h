@@ -20,7 +20,4 @@ std::vector<std::string> worn_parts(const Document& document, MaterialId materia
 Requests draw_geometry(Ui& ui, Rect& rest, const SourcePlace& place, const GeometrySource& now,
                        const Shown& shown);
 
-/// UV, planar along an axis, or tri-planar.
-Requests draw_projection(Ui& ui, Rect& rest, const SourcePlace& place, const Projection& now);
-
 }  // namespace patina::editor

@@ -86,11 +86,11 @@ Session::Session(std::function<void()> wake, ViewportPicture picture)
         const std::lock_guard lock(*mutex);
         inbox->push_back({level != LogLevel::Info, std::string(line)});
     });
-    if (Result<std::vector<io::PresetFile>> presets = io::shipped_presets())
+    if (Result<std::vector<io::PresetFile>> presets = io::all_presets())
         presets_ = std::move(*presets);
     else
         log_warning("{}", presets.error().message);
-    for (const io::PresetFile& file : presets_) preset_list_.push_back(&file.preset);
+    list_presets();
     thumbnails_.set_presets(&presets_);
     thumbnails_.set_environments(
         [this](const std::string& name) { return environments_.find(name); });
@@ -110,6 +110,24 @@ MaterialPtr Session::selected_material(const ViewState& view) const {
 LayerPtr Session::selected_layer(const ViewState& view) const {
     const MaterialPtr material = selected_material(view);
     return material ? find_layer(*material, view.layer) : nullptr;
+}
+
+/// What the shelf shows points into the presets.
+void Session::list_presets() {
+    preset_list_.clear();
+    for (const io::PresetFile& file : presets_) preset_list_.push_back(&file.preset);
+}
+
+/// In its place by the id, instead of one that has that.
+void Session::take_preset(io::PresetFile file) {
+    const auto at = std::lower_bound(
+        presets_.begin(), presets_.end(), file.preset.id,
+        [](const io::PresetFile& each, const std::string& id) { return each.preset.id < id; });
+    if (at != presets_.end() && at->preset.id == file.preset.id)
+        *at = std::move(file);
+    else
+        presets_.insert(at, std::move(file));
+    list_presets();
 }
 
 const io::PresetFile* Session::preset(const std::string& id) const {
@@ -291,6 +309,26 @@ void Session::follow_comparison(ViewState& view, bool moving) {
     wants_frame_ = true;
 }
 
+/// Measures on a worker, where the Material tab tells of it.
+void Session::follow_uv_layout(const ViewState& view) {
+    const DocumentPtr document = history_->document();
+    const MaterialPtr material = selected_material(view);
+    if (view.right_tab != RightTab::Material || !material) return;
+    if (uvs_.document == document && uvs_.material == material) return;
+    const UvSurfacePtr surface = worn_surface(*document, *material, uvs_.surface);
+    const bool same = surface == uvs_.surface;
+    uvs_.document = document;
+    uvs_.material = material;
+    if (same) return;
+    uvs_.surface = surface;
+    uvs_.layout.reset();
+    jobs_.start("Measuring UVs", [this, surface](const Progress&) {
+        return [this, surface, layout = uv_layout(*surface)] {
+            if (uvs_.surface == surface) uvs_.layout = layout;
+        };
+    });
+}
+
 void Session::update(ViewState& view, const FrameInput& input) {
     wants_frame_ = false;
     jobs_.deliver();
@@ -306,6 +344,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         select_something(view);
         follow_environment();
         follow_texel(view);
+        follow_uv_layout(view);
         show_materials(view);
         const std::vector<LiveMaterials::Changed> changed = live_.take();
         for (const LiveMaterials::Changed& each : changed)
@@ -382,6 +421,7 @@ Shown Session::shown(const ViewState& view) {
                       ImVec2(1, 0)};
     shown.strip = {reinterpret_cast<ImTextureID>(picture_.strip_texture())};
     shown.texel = texel_;
+    if (uvs_.material == shown.material) shown.uv_layout = uvs_.layout;
     shown.comparison = comparison_;
     shown.hovered = hovered_;
     return shown;

@@ -24,6 +24,7 @@
 #include "editor/state/view_state.h"
 #include "io/image_store.h"
 #include "io/load.h"
+#include "io/map_export.h"
 #include "io/preset_library.h"
 #include "io/texture_folder.h"
 #include "scene/shapes.h"
@@ -46,13 +47,16 @@ class Session {
     /// Whether the first save of a file in this session leaves the version before as name~.
     void set_keep_previous(bool keep) { keep_previous_ = keep; }
     bool keeps_previous() const { return keep_previous_; }
-    void export_maps(const std::filesystem::path& folder);
+    void export_maps(const std::filesystem::path& folder, const io::MapExportOptions& options);
     /// The copy of the model that export_maps writes beside the maps.
     std::filesystem::path export_target(const std::filesystem::path& folder) const;
     /// Of a saved view: as wide for its height as the viewport.
     render::PictureSize still_size() const;
     /// A picture of what the viewport shows: PNG as seen, EXR in linear radiance.
     void save_view(const std::filesystem::path& path, const ViewState& view);
+    /// Writes a preset of layers of the document into the user's own folder and puts it into the
+    /// shelf. Its id is made of its name; one of the user's with that id is replaced.
+    void save_preset(Preset preset);
     /// Reads an image on a worker and gives it to `use` as edits to make.
     void with_image(const std::filesystem::path& path,
                     std::function<void(const ImageAssetPtr&)> use);
@@ -77,7 +81,7 @@ class Session {
     const std::filesystem::path& path() const { return path_; }
     /// Without its folder; what a shape that was made here would be saved as.
     std::filesystem::path file_name() const;
-    /// The shipped preset of that id, for as long as the session lives; null where there is none.
+    /// The preset of that id, until one is saved; null where there is none.
     const io::PresetFile* preset(const std::string& id) const;
     const Bounds& bounds() const { return picture_.bounds(); }
     /// Of the parts that are drawn with the selected material; of the whole model where none is.
@@ -149,11 +153,14 @@ class Session {
     Jobs::Delivery light_delivery(render::FilteredEnvironment light, int generation);
     Jobs::Delivery light_failure(const Error& error, int generation);
     void follow_texel(const ViewState& view);
+    void follow_uv_layout(const ViewState& view);
     void follow_crosshair(ViewState& view) const;
     void draw_still();
     void follow_comparison(ViewState& view, bool moving);
     void expire_toasts();
     void report_job_failure(const Error& error);
+    void list_presets();
+    void take_preset(io::PresetFile file);
     /// Gives to `use` what a worker has read into the images of the document, if that is open
     /// still.
     template <typename Value>
@@ -192,6 +199,14 @@ class Session {
     };
     Explained explained_;
     std::optional<render::Probe> hovered_;
+    /// How the parts of a material lie in its UVs; without a layout while that is measured.
+    struct MeasuredUvs {
+        DocumentPtr document;
+        MaterialPtr material;
+        UvSurfacePtr surface;
+        std::optional<UvLayout> layout;
+    };
+    MeasuredUvs uvs_;
     std::vector<JobShown> jobs_shown_;
     std::vector<Toast> toasts_;
     std::vector<ToastShown> toasts_shown_;

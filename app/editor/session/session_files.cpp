@@ -15,7 +15,6 @@
 #include "editor/session/session.h"
 #include "editor/widgets/number_text.h"
 #include "io/image_file.h"
-#include "io/map_export.h"
 #include "io/mesh_to_glb.h"
 #include "io/save.h"
 #include "scene/shapes.h"
@@ -142,14 +141,14 @@ fs::path Session::export_target(const fs::path& folder) const {
     return folder / name.stem().concat(".glb");
 }
 
-void Session::export_maps(const fs::path& folder) {
+void Session::export_maps(const fs::path& folder, const io::MapExportOptions& options) {
     const DocumentPtr snapshot = history_->document();
-    jobs_.start("Exporting maps", [this, folder, target = export_target(folder), snapshot,
+    jobs_.start("Exporting maps", [this, folder, options, target = export_target(folder), snapshot,
                                    images = images_](const Progress& progress) {
         using Files = Result<std::vector<fs::path>>;
         const auto saved = io::save_document(*snapshot, *images, target, {}, progress);
         const auto files = std::make_shared<Files>(
-            saved ? io::export_maps(*snapshot, *images, folder, {}, progress)
+            saved ? io::export_maps(*snapshot, *images, folder, options, progress)
                   : Files(passed_on(saved)));
         return [this, folder, files] {
             if (!*files) return report_job_failure(files->error());
@@ -164,6 +163,34 @@ render::PictureSize Session::still_size() const {
     const float height = std::sqrt(kStillPixels / viewport_aspect_);
     return {static_cast<int>(std::lround(height * viewport_aspect_)),
             static_cast<int>(std::lround(height))};
+}
+
+void Session::save_preset(Preset preset) {
+    const fs::path folder = io::user_preset_folder();
+    if (folder.empty())
+        return toast(ToastKind::Error,
+                     "Cannot save the preset: there is no home folder. Set HOME or XDG_DATA_HOME");
+    preset.id = io::preset_id_of(preset.name);
+    const auto is_own = [&](const io::PresetFile& file) {
+        return file.path.parent_path() == folder;
+    };
+    const io::PresetFile* before = this->preset(preset.id);
+    if (before != nullptr && !is_own(*before)) {
+        preset.id = io::preset_id_of(preset.id + " mine");
+        before = this->preset(preset.id);
+    }
+    if (before != nullptr) preset.version = before->preset.version + 1;
+    const fs::path path = before != nullptr ? before->path : folder / (preset.id + ".json");
+    jobs_.start("Saving preset " + preset.name, [this, path, preset,
+                                                 snapshot = history_->document()](const Progress&) {
+        using Written = Result<io::PresetFile>;
+        const auto written = std::make_shared<Written>(io::write_preset(path, preset, *snapshot));
+        return [this, written] {
+            if (!*written) return report_job_failure(written->error());
+            toast(ToastKind::Done, fmt::format("{} is in the shelf", (*written)->preset.name));
+            take_preset(std::move(**written));
+        };
+    });
 }
 
 void Session::save_view(const fs::path& path, const ViewState& state) {

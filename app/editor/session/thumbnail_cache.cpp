@@ -265,7 +265,7 @@ Picture ThumbnailCache::preset(const Preset& preset, const std::vector<KnobSetti
     const io::PresetFile* file = nullptr;
     if (presets_ != nullptr)
         for (const io::PresetFile& each : *presets_)
-            if (&each.preset == &preset) file = &each;
+            if (each.preset.id == preset.id) file = &each;
     if (file == nullptr) return {};
     return find(hasher.finish(), [copy = *file, knobs]() mutable -> Made {
         const auto layers = turned_layers(copy.preset, knobs);

@@ -180,7 +180,10 @@ Mask only_entry(const MaskEntry& entry) {
     MaskEntry alone = entry;
     alone.visible = true;
     alone.opacity = 1.0f;
-    alone.combine = MaskCombine::Replace;
+    alone.combine = BlendMode::Replace;
+    if (entry.adjustment)
+        mask.entries.push_back(
+            {.source = ProceduralSource{.kind = ProceduralKind::GradientLinear, .scale = 1.0f}});
     mask.entries.push_back(std::move(alone));
     return mask;
 }

@@ -15,7 +15,7 @@ Material layer_thumbnail(const Layer& layer);
 bool reads_other_layers(const Mask& mask);
 /// White where a mask lets the layer through, on black.
 Material mask_thumbnail(const Mask& mask, const std::vector<LayerPtr>& stack, LayerId layer);
-/// A mask of that entry alone.
+/// A mask of that entry alone; what an adjustment makes of a gradient.
 Mask only_entry(const MaskEntry& entry);
 /// Of a channel: a number is shown as a grey, a direction as its usual colour.
 Material source_thumbnail(const Source& source, Channel channel);

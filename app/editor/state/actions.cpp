@@ -44,6 +44,7 @@ constexpr std::array kActions = {
     ActionInfo{Action::HideLayer, Menu::Layer, icon::kEye, "Hide or show layer", "H", Needs::Layer},
     ActionInfo{Action::LockLayer, Menu::Layer, icon::kLock, "Lock or unlock layer", "", Needs::Layer},
     ActionInfo{Action::DeleteLayer, Menu::Layer, icon::kTrash, "Delete layer", "Delete", Needs::Layer},
+    ActionInfo{Action::SaveLayerPreset, Menu::Layer, icon::kSave, "Save layer as preset\u2026", "", Needs::Layer},
     ActionInfo{Action::MoveLayerUp, Menu::Layer, nullptr, "Move layer up", "Alt Up", Needs::Layer, true},
     ActionInfo{Action::MoveLayerDown, Menu::Layer, nullptr, "Move layer down", "Alt Down", Needs::Layer},
     ActionInfo{Action::SelectLayerAbove, Menu::Layer, nullptr, "Choose layer above", "Up", Needs::Material},
@@ -59,6 +60,7 @@ constexpr std::array kActions = {
     ActionInfo{Action::RenameMaterial, Menu::Material, icon::kPencil, "Rename material", "", Needs::Material},
     ActionInfo{Action::DeleteMaterial, Menu::Material, icon::kTrash, "Delete added material", "", AddedMaterial},
     ActionInfo{Action::ClearStack, Menu::Material, nullptr, "Remove all layers", "", Needs::Material, true},
+    ActionInfo{Action::SaveMaterialPreset, Menu::Material, icon::kSave, "Save material as preset\u2026", "", Needs::Material},
 
     ActionInfo{Action::ViewSingle, Menu::View, nullptr, "Single view", "", Nothing},
     ActionInfo{Action::ViewSplit, Menu::View, nullptr, "Split view", "", Nothing},

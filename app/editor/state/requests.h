@@ -35,6 +35,19 @@ struct ApplyPreset {
 struct TurnKnobs {
     std::string id;
 };
+/// Writes the selected layer, or all layers of the material, as a preset of the user's own.
+struct SavePreset {
+    bool whole_material = false;
+    std::string name = {};
+    std::string category = {};
+    std::string author = {};
+    std::string licence = {};
+    std::string description = {};
+};
+/// A layer that is not there yet, above the selected one.
+struct AddNewLayer {
+    Layer layer;
+};
 /// An image of the document as a new layer.
 struct AddImageAsLayer {
     Hash128 image;
@@ -70,9 +83,9 @@ struct PickAt {
     bool explain = false;  ///< keep it under the crosshair
 };
 
-using Request =
-    std::variant<Action, TakeFile, ApplyPreset, TurnKnobs, AddImageAsLayer, AssignMaterialAt,
-                 JumpToStep, CancelJob, DismissToast, HoldToast, ChooseImageFor, PickAt>;
+using Request = std::variant<Action, TakeFile, ApplyPreset, TurnKnobs, SavePreset, AddNewLayer,
+                             AddImageAsLayer, AssignMaterialAt, JumpToStep, CancelJob, DismissToast,
+                             HoldToast, ChooseImageFor, PickAt>;
 
 struct Requests {
     Edits edits;

@@ -17,6 +17,7 @@
 #include "editor/widgets/ui.h"
 #include "render/difference_stats.h"
 #include "render/renderer.h"
+#include "scene/uv_layout.h"
 
 namespace patina::editor {
 
@@ -113,6 +114,9 @@ struct Shown {
     std::span<const EnvironmentShown> environments;
     CostShown cost;
     RefinementShown refinement;
+    /// How the parts lie in the UV set of the material; known some time after the Material tab is
+    /// shown.
+    std::optional<UvLayout> uv_layout;
     Picture viewport;
     Picture strip;
     std::optional<TexelShown> texel;  ///< under the crosshair

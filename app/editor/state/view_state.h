@@ -13,6 +13,7 @@
 
 #include "core/hash.h"
 #include "document/document.h"
+#include "editor/widgets/curve_field.h"
 #include "render/view.h"
 
 namespace patina::editor {
@@ -51,6 +52,7 @@ struct Unfolded {
     bool narrow_shelf = false;       ///< in a narrow window, where it takes much of the room
     std::optional<Channel> channel;  ///< whose source editor is open
     bool uv_scale_linked = true;     ///< both scales change together
+    bool uv_channels_linked = true;  ///< channels that lie alike are moved together
     std::optional<MaskEntryId> mask_entry;
 };
 
@@ -94,6 +96,9 @@ struct ViewState {
     DragToModel drag_to_model;
     LayerId renaming_layer;
     MaterialId renaming_material;
+    MaskEntryId renaming_mask_entry;
+    MaskEntryId mask_entry_at_hand;  ///< under the pointer or with the keyboard at it; 0: none
+    CurveHold curve;                 ///< of the adjustment that is shown
     /// The pixel of the viewport that is explained, in shares of the picture; unset: none.
     std::optional<glm::vec2> crosshair;
     /// The layer that is shown alone (Alt-click on its eye); 0: none.

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "editor/widgets/popup_menu.h"
+#include "editor/widgets/wheel.h"
 
 namespace patina::editor {
 namespace {
@@ -46,6 +47,23 @@ void paint(const Ui& ui, const Rect& rect, const ComboSpec& spec, std::string_vi
     text(ui, rest, font, theme::kText, value);
 }
 
+/// The next choice that can be taken, up or down the list; nothing at its end.
+std::optional<int> neighbour(std::span<const ComboItem> items, int chosen, int step) {
+    const int count = static_cast<int>(items.size());
+    for (int next = chosen + step; next >= 0 && next < count; next += step)
+        if (items[static_cast<std::size_t>(next)].enabled) return next;
+    return std::nullopt;
+}
+
+/// -1, 0 or 1: where the wheel or the arrows lead.
+int wanted_step(Ui& ui, const Press& pressed) {
+    if (pressed.focused) {
+        ui.focus.take({ImGuiKey_UpArrow, ImGuiKey_DownArrow});
+        if (ui.focus.row_step() != 0) return ui.focus.row_step();
+    }
+    return -ctrl_wheel_step(pressed);
+}
+
 }  // namespace
 
 std::optional<int> combo(Ui& ui, const Rect& rect, const ComboSpec& spec,
@@ -63,6 +81,8 @@ std::optional<int> combo(Ui& ui, const Rect& rect, const ComboSpec& spec,
     ImGui::PushID(static_cast<int>(pressed.id));
     if (pressed.clicked) ImGui::OpenPopup("combo");
     std::optional<int> result;
+    if (const int step = wanted_step(ui, pressed); step != 0)
+        result = neighbour(items, chosen, step);
     place_popup(rect, ui.px(2));
     if (PopupMenu menu(ui, "combo", rect.width() / ui.scale); menu.open()) {
         std::string_view group;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// A field that shows one of several choices and opens a menu of them.
+/// A field that shows one of several choices and opens a menu of them. Ctrl and the wheel over it,
+/// or Up and Down while the keyboard is at it, step through them without the menu.
 
 #include <optional>
 #include <span>

@@ -40,6 +40,15 @@ void Focus::read_keys() {
     if (!is_shown()) return;
     pressed_ = key(ImGuiKey_Enter) || key(ImGuiKey_KeyPadEnter) || key(ImGuiKey_Space);
     arrow_step_ = (key(ImGuiKey_RightArrow) ? 1 : 0) - (key(ImGuiKey_LeftArrow) ? 1 : 0);
+    row_step_ = (key(ImGuiKey_DownArrow) ? 1 : 0) - (key(ImGuiKey_UpArrow) ? 1 : 0);
+}
+
+void Focus::take(std::initializer_list<ImGuiKey> keys) {
+    for (const ImGuiKey each : keys) taken_keys_.push_back(ImGui::GetKeyIndex(each));
+}
+
+bool Focus::is_taken(int key) const {
+    return std::find(taken_keys_.begin(), taken_keys_.end(), key) != taken_keys_.end();
 }
 
 /// A popup that opened takes the focus to its first row, one that closed gives it back.
@@ -58,7 +67,8 @@ void Focus::follow_popups() {
 void Focus::begin_frame() {
     pressed_ = false;
     arrow_step_ = 0;
-    arrows_taken_ = false;
+    row_step_ = 0;
+    taken_keys_.clear();
     step_ = 0;
     take_next_ = false;
     seen_ = false;

@@ -8,6 +8,7 @@
 
 #include <imgui.h>
 
+#include <initializer_list>
 #include <vector>
 
 #include "editor/widgets/rect.h"
@@ -25,9 +26,12 @@ class Focus {
     bool pressed() const { return pressed_; }
     /// -1, 0 or 1: Left or Right (Down or Up), for the control that has the focus.
     int arrow_step() const { return arrow_step_; }
-    /// The focused control takes the arrows: they do nothing else in this frame.
-    void take_arrows() { arrows_taken_ = true; }
-    bool arrows_taken() const { return arrows_taken_; }
+    /// -1, 0 or 1: Up or Down, likewise.
+    int row_step() const { return row_step_; }
+    /// A control takes keys: they do nothing else in this frame.
+    void take(std::initializer_list<ImGuiKey> keys);
+    /// @param key  as Dear ImGui's back end numbers them
+    bool is_taken(int key) const;
     bool is_shown() const { return shown_ && id_ != 0; }
     /// Takes the focus away.
     void leave() { shown_ = false; }
@@ -43,7 +47,8 @@ class Focus {
     bool shown_ = false;
     bool pressed_ = false;
     int arrow_step_ = 0;
-    bool arrows_taken_ = false;
+    int row_step_ = 0;
+    std::vector<int> taken_keys_;
     int step_ = 0;  ///< of Tab in this frame, done when the next or the one before is known
     bool take_next_ = false;
     bool reveal_ = false;  ///< the focus has moved: scroll to it

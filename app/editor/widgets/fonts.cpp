@@ -5,38 +5,12 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <string>
-#include <vector>
 
-#include "core/files.h"
+#include "core/font_file.h"
 
 namespace patina::editor {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Beside the program where it is installed whole, else where Debian's packages put them.
-std::vector<fs::path> font_folders() {
-    std::vector<fs::path> folders;
-    if (const Result<fs::path> own = resource_folder("fonts")) folders.push_back(*own);
-    for (const char* folder :
-         {"/usr/share/fonts/opentype/inter", "/usr/share/fonts/truetype/inter",
-          "/usr/share/fonts/opentype/font-awesome", "/usr/share/fonts/truetype/font-awesome",
-          "/usr/share/fonts-font-awesome/fonts", "/usr/local/share/fonts"})
-        folders.emplace_back(folder);
-    return folders;
-}
-
-Result<std::string> find_font(const std::array<const char*, 2>& names) {
-    for (const fs::path& folder : font_folders())
-        for (const char* name : names) {
-            std::error_code error;
-            if (fs::is_regular_file(folder / name, error)) return (folder / name).string();
-        }
-    return failure("font {} was not found; install the packages fonts-inter and fonts-font-awesome",
-                   names[0]);
-}
 
 struct FontFiles {
     std::string regular;
@@ -46,15 +20,15 @@ struct FontFiles {
 };
 
 Result<FontFiles> find_fonts() {
-    const auto regular = find_font({"Inter-Regular.otf", "Inter-Regular.ttf"});
+    const auto regular = font_file({"Inter-Regular.otf", "Inter-Regular.ttf"});
     if (!regular) return passed_on(regular);
-    const auto medium = find_font({"Inter-Medium.otf", "Inter-Medium.ttf"});
+    const auto medium = font_file({"Inter-Medium.otf", "Inter-Medium.ttf"});
     if (!medium) return passed_on(medium);
-    const auto semibold = find_font({"Inter-SemiBold.otf", "Inter-SemiBold.ttf"});
+    const auto semibold = font_file({"Inter-SemiBold.otf", "Inter-SemiBold.ttf"});
     if (!semibold) return passed_on(semibold);
-    const auto icons = find_font({"FontAwesome.otf", "fontawesome-webfont.ttf"});
+    const auto icons = font_file({"FontAwesome.otf", "fontawesome-webfont.ttf"});
     if (!icons) return passed_on(icons);
-    return FontFiles{*regular, *medium, *semibold, *icons};
+    return FontFiles{regular->string(), medium->string(), semibold->string(), icons->string()};
 }
 
 constexpr std::array<ImWchar, 3> kDigits = {'0', '9', 0};

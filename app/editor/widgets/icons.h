@@ -49,6 +49,8 @@ inline constexpr const char* kDroplet = "\uf043";
 inline constexpr const char* kPencil = "\uf040";
 inline constexpr const char* kCopy = "\uf0c5";
 inline constexpr const char* kPaste = "\uf0ea";
+inline constexpr const char* kClip = "\uf149";
+inline constexpr const char* kHeights = "\uf1fe";
 inline constexpr const char* kQuestion = "\uf059";
 
 }  // namespace patina::editor::icon

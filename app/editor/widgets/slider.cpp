@@ -10,6 +10,7 @@
 #include "editor/widgets/number_text.h"
 #include "editor/widgets/popup_menu.h"
 #include "editor/widgets/text_field.h"
+#include "editor/widgets/wheel.h"
 
 namespace patina::editor {
 namespace {
@@ -53,16 +54,16 @@ std::optional<double> dragged(const Ui& ui, const Rect& rect, const NumberSpec& 
 }
 
 std::optional<double> stepped(const NumberSpec& spec, double value, const Press& press) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!press.hovered || !io.KeyCtrl || io.MouseWheel == 0.0f) return std::nullopt;
-    return allowed(spec, value + (io.MouseWheel > 0.0f ? spec.step : -spec.step));
+    const int step = ctrl_wheel_step(press);
+    if (step == 0) return std::nullopt;
+    return allowed(spec, value + step * spec.step);
 }
 
 /// The arrows, by one step; Shift takes a tenth.
 std::optional<double> stepped_by_keys(Ui& ui, const NumberSpec& spec, double value,
                                       const Press& press) {
     if (!press.focused) return std::nullopt;
-    ui.focus.take_arrows();
+    ui.focus.take({ImGuiKey_LeftArrow, ImGuiKey_RightArrow});
     const int step = ui.focus.arrow_step();
     if (step == 0) return std::nullopt;
     const double size = ImGui::GetIO().KeyShift && !spec.whole ? 0.1 * spec.step : spec.step;

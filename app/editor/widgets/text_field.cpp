@@ -72,6 +72,17 @@ std::optional<std::string> typed(Ui& ui, ImGuiID id, const Rect& rect, const ImF
     return ui.typing.text;
 }
 
+std::optional<std::string> rename_field(Ui& ui, const Rect& rect, const std::string& name,
+                                        bool& renaming) {
+    const ImGuiID id = ImGui::GetID("rename");
+    if (ui.typing.id != id) start_typing(ui, id, name);
+    fill(ui, rect, theme::kFieldHover, 4);
+    std::optional<std::string> words = typed(ui, id, rect, ui.fonts.body13);
+    renaming = ui.typing.id != 0;
+    if (words && words->empty()) words.reset();
+    return words;
+}
+
 bool search_field(Ui& ui, const Rect& rect, const SearchField& field, std::string& words) {
     fill(ui, rect, field.color, 4);
     ui.map.add(field.label, "search", words, visible_part(rect), true);

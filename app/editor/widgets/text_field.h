@@ -18,6 +18,12 @@ void start_typing(Ui& ui, ImGuiID id, std::string text);
 /// elsewhere accepts it; Esc ends it without a result.
 std::optional<std::string> typed(Ui& ui, ImGuiID id, const Rect& rect, const ImFont* font);
 
+/// The name of a row in the place where it stands, while it is renamed.
+/// @param renaming  whether it is; false again when typing has ended
+/// @return the new name, when it was accepted and is not empty
+std::optional<std::string> rename_field(Ui& ui, const Rect& rect, const std::string& name,
+                                        bool& renaming);
+
 struct SearchField {
     std::string_view label;
     std::string_view hint;

@@ -10,6 +10,6 @@ namespace patina::io::openimageio {
 Result<std::unique_ptr<OpenedImage>> open(std::span<const std::byte> encoded, std::string_view name,
                                           std::string_view format);
 /// Equal images give equal bytes.
-Result<Bytes> encode(const Image& image, ImageFormat format, bool half);
+Result<Bytes> encode(const Image& image, const CodecEncoding& encoding);
 
 }  // namespace patina::io::openimageio

@@ -298,9 +298,9 @@ TEST(Around, AnEditOfAPartChangesWhatTheBlurAndTheWarpAboveReach) {
     EXPECT_EQ(*live.maps()[BakedMap::BaseColor], *cold[BakedMap::BaseColor]);
 }
 
-/// Heights that a relief, a blur of a group and a warp read, each above the other, in three
-/// channels.
-Material looking_around_thrice(ImageTable& images, int size) {
+/// Heights that a relief, a blur of a mask of it, a blur of a group and a warp read, each above the
+/// other, in three channels.
+Material looking_around_often(ImageTable& images, int size) {
     Image spots{.width = size, .height = size, .channels = 4};
     spots.data.resize(spots.row_bytes() * static_cast<std::size_t>(size));
     std::mt19937 random(11);
@@ -311,7 +311,8 @@ Material looking_around_thrice(ImageTable& images, int size) {
     at(hollows.channels, Channel::Height) = {.enabled = true,
                                              .source = ConstantSource{glm::vec3(0.2f)}};
     hollows.mask.entries = {
-        {.id = {9}, .source = ReliefSource{.kind = ReliefKind::Edge, .radius_permille = 40.0f}}};
+        {.id = {9}, .source = ReliefSource{.kind = ReliefKind::Edge, .radius_permille = 40.0f}},
+        {.id = {10}, .adjustment = blur_of(2), .combine = BlendMode::Replace}};
     Layer group{.id = {3}};
     for (const Channel channel : {Channel::BaseColor, Channel::Height, Channel::Roughness})
         at(group.channels, channel).enabled = true;
@@ -334,7 +335,7 @@ Material looking_around_thrice(ImageTable& images, int size) {
 TEST(Around, StripByStripTheMapIsTheSameAsWhenAllIsKept) {
     constexpr int kSide = 401;  // more than three strips of the fewest rows
     ImageTable images;
-    const Program program = Program::compile(looking_around_thrice(images, kSide));
+    const Program program = Program::compile(looking_around_often(images, kSide));
     const BoundImages bound = images_for_bake(program.data(), kAllChannels, kSide, images).value();
     const auto composited = [&](std::size_t around_bytes) {
         std::vector<float> texels(static_cast<std::size_t>(kSide) * kSide * 8);

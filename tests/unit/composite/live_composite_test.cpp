@@ -4,8 +4,10 @@
 #include <rapidcheck/gtest.h>
 #include <algorithm>
 
+#include "composite/bake_channels.h"
 #include "composite/composite.h"
 #include "composite/random_stack.h"
+#include "document/edits.h"
 
 namespace patina {
 namespace {
@@ -134,6 +136,59 @@ RC_GTEST_PROP(Explain, EndsWithTheValueThatIsBaked, ()) {
     const auto at = static_cast<std::size_t>((y * size + x) * 4 + 1);
     const auto byte = static_cast<int>(maps[BakedMap::OcclusionRoughnessMetalness]->data[at]);
     RC_ASSERT(byte == static_cast<int>(std::clamp(expected, 0.0f, 1.0f) * 255.0f + 0.5f));
+}
+
+RC_GTEST_PROP(Explain, OfANormalEndsWithWhatHeightsMakeOfItInTheBake, ()) {
+    const std::uint32_t seed = *rc::gen::noShrink(rc::gen::inRange(0u, 1u << 30));
+    const int size = 20;
+    RandomStack random(seed, size, RandomSources::All);
+    const Material material = random.material();
+    const Program program = Program::compile(material);
+    const auto planes = bake_channels(program, random.images, size, {Channel::Normal}).value();
+    const int x = *rc::gen::inRange(0, size), y = *rc::gen::inRange(0, size);
+    const auto steps = explain_texel(material, nullptr, random.images, Channel::Normal, size, x, y);
+    RC_ASSERT(steps.has_value());
+    glm::vec3 expected = stack_bottom(Channel::Normal);
+    for (const ExplainStep& step : *steps)
+        if (step.depth == 0) expected = step.result;
+    for (std::size_t k = 0; k < 3; ++k)
+        RC_ASSERT(expected[static_cast<int>(k)] ==
+                  planes.planes[static_cast<std::size_t>(Channel::Normal)][k]
+                               [static_cast<std::size_t>(y * size + x)]);
+}
+
+TEST(Explain, OfANormalThatIsMadeOfHeightsAloneHasTheStepFromThem) {
+    ImageTable images;
+    Material material;
+    Layer bumps = value_layer();
+    ProceduralSource noise;
+    noise.ramp = {{0.0f, glm::vec3(0.0f)}, {1.0f, glm::vec3(1.0f)}};
+    at(bumps.channels, Channel::Height) = {.enabled = true, .source = noise};
+    at(bumps.channels, Channel::Normal).enabled = false;
+    material.stack = {std::make_shared<const Layer>(bumps)};
+    const auto steps = explain_texel(material, nullptr, images, Channel::Normal, 64, 3, 5);
+    ASSERT_TRUE(steps.has_value());
+    ASSERT_EQ(steps->size(), 1u);
+    EXPECT_EQ(steps->front().layer, LayerId{});
+    EXPECT_EQ(steps->front().source, steps->front().result);
+    EXPECT_LT(steps->front().result.z, 1.0f);
+}
+
+TEST(Explain, SaysHowMuchOfTheChannelAGroupHasLaidDown) {
+    ImageTable images;
+    Material material;
+    Layer child = value_layer();
+    child.opacity = 0.25f;
+    Layer group = group_layer();
+    group.content = GroupContent{
+        .children = {std::make_shared<const Layer>(child), std::make_shared<const Layer>(child)}};
+    material.stack = {std::make_shared<const Layer>(group)};
+    const auto steps = explain_texel(material, nullptr, images, Channel::Roughness, 64, 3, 5);
+    ASSERT_TRUE(steps.has_value());
+    ASSERT_EQ(steps->size(), 3u);
+    EXPECT_EQ((*steps)[0].coverage, 0.25f);
+    EXPECT_EQ((*steps)[1].coverage, 0.4375f);
+    EXPECT_EQ((*steps)[2].coverage, 1.0f);
 }
 
 TEST(Explain, NamesEachLayerWithItsWeight) {

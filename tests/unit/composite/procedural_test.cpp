@@ -120,12 +120,14 @@ double mean_of(const ProceduralSource& source, int size) {
 /// Contrast and ramp come after the pattern: what is lost of it must not shift what they make of
 /// it.
 TEST(Procedurals, AThresholdLetsAsMuchPassAtEverySize) {
-    for (const auto& kind : kProceduralKinds) {
-        ProceduralSource source{.kind = kind.value, .scale = 64.0f, .octaves = 3};
+    for (std::size_t i = 0; i < kProceduralKinds.size(); ++i) {
+        ProceduralSource source{
+            .kind = static_cast<ProceduralKind>(i), .scale = 64.0f, .octaves = 3};
         source.contrast = 0.9f;
         const double large = mean_of(source, 2048);
-        for (const int size : {64, 128, 256, 512})
-            EXPECT_NEAR(mean_of(source, size), large, 0.04) << kind.id << " at " << size;
+        for (const int size : {32, 64, 128})
+            EXPECT_NEAR(mean_of(source, size), large, 0.04)
+                << kProceduralKinds[i].id << " at " << size;
     }
 }
 

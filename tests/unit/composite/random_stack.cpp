@@ -136,11 +136,15 @@ Mask RandomStack::mask() {
     for (int i = index(4); i > 0; --i) {
         MaskEntry entry{.id = {next_id_++},
                         .visible = chance(90),
-                        .source = source(Channel::Roughness),
-                        .combine = static_cast<MaskCombine>(index(6)),
+                        .combine = combine(),
                         .opacity = chance(60) ? 1.0f : number(),
                         .invert = chance(20)};
-        if (chance(30)) entry.levels = {0.1f, 0.8f, number(0.4f, 1.0f), number(), number()};
+        if (chance(25))
+            entry.adjustment = mask_adjustment();
+        else
+            entry.source = source(Channel::Roughness);
+        if (!entry.adjustment && chance(30))
+            entry.levels = {0.1f, 0.8f, number(0.4f, 1.0f), number(), number()};
         mask.entries.push_back(entry);
     }
     return mask;
@@ -152,6 +156,20 @@ BlendMode RandomStack::mode(Channel channel) {
             kBlendModes[static_cast<std::size_t>(index(static_cast<int>(kBlendModes.size())))].mode;
         const bool wanted = sources_ == RandomSources::All || is_continuous(mode);
         if (wanted && applies_to(mode, channel)) return mode;
+    }
+}
+
+BlendMode RandomStack::combine() {
+    for (;;) {
+        const BlendMode chosen = chance(20) ? BlendMode::Replace : mode(Channel::Roughness);
+        if (combines_masks(chosen)) return chosen;
+    }
+}
+
+AdjustmentSettings RandomStack::mask_adjustment() {
+    for (;;) {
+        const AdjustmentSettings settings = adjustment();
+        if (adjusts_masks(settings.kind)) return settings;
     }
 }
 

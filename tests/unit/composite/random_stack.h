@@ -38,6 +38,8 @@ class RandomStack {
     Source source(Channel channel);
     Mask mask();
     BlendMode mode(Channel channel);
+    BlendMode combine();
+    AdjustmentSettings mask_adjustment();
     AdjustmentSettings adjustment();
     Layer layer(int depth);
     std::vector<LayerPtr> stack(int layers, int depth);

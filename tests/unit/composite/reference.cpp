@@ -93,6 +93,9 @@ class Texel {
     };
 
     double coverage(const Layer& layer) const;
+    bool lays(const Layer& layer, Channel channel) const;
+    bool is_empty_group(const Layer& layer) const;
+    double content_coverage(const Layer& layer) const;
     void composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const;
     void composite(const Layer& layer, double weight, Accumulators& accumulators) const;
     double share_by_height(const Layer& layer, const Accumulated& below,
@@ -118,11 +121,58 @@ double Texel::coverage(const Layer& layer) const {
     return static_cast<double>(layer.opacity) * mask(layer.mask);
 }
 
+/// Whether the layer may lay something on the channel, at whatever texel.
+bool Texel::lays(const Layer& layer, Channel channel) const {
+    const ChannelSettings& settings = at(layer.channels, channel);
+    if (!settings.enabled || settings.opacity == 0.0f) return false;
+    const auto* const group = std::get_if<GroupContent>(&layer.content);
+    if (group == nullptr) return true;
+    const Layer* base = nullptr;
+    bool found = false;
+    const auto shows = [&](const Layer& child) {
+        const bool varies = std::any_of(
+            child.mask.entries.begin(), child.mask.entries.end(), [](const MaskEntry& entry) {
+                return entry.visible && entry.opacity > 0.0f &&
+                       !std::holds_alternative<ConstantSource>(entry.source);
+            });
+        return child.visible && child.opacity > 0.0f &&
+               ((child.mask.enabled && varies) || mask(child.mask) > 0.0);
+    };
+    for (const LayerPtr& child : group->children) {
+        const bool clipped = child->clipped && base != nullptr;
+        const bool hidden = clipped && (!shows(*base) || is_empty_group(*base));
+        if (!child->clipped) base = child.get();
+        if (!hidden && !child->is_adjustment() && shows(*child)) found |= lays(*child, channel);
+    }
+    return found;
+}
+
+bool Texel::is_empty_group(const Layer& layer) const {
+    return layer.is_group() &&
+           std::none_of(kChannels.begin(), kChannels.end(),
+                        [&](const ChannelInfo& entry) { return lays(layer, entry.channel); });
+}
+
+/// What the layer's content covers here, of the first channel that it lays on.
+double Texel::content_coverage(const Layer& layer) const {
+    if (layer.is_adjustment()) return 1;
+    const auto first =
+        std::find_if(kChannels.begin(), kChannels.end(),
+                     [&](const ChannelInfo& entry) { return lays(layer, entry.channel); });
+    if (first == kChannels.end()) return layer.is_group() ? 0 : 1;
+    if (const auto* const group = std::get_if<GroupContent>(&layer.content)) {
+        Accumulators children;
+        composite(group->children, children);
+        return at(children, first->channel).coverage;
+    }
+    return sampled(at(layer.channels, first->channel).source, first->kind).coverage;
+}
+
 void Texel::composite(const std::vector<LayerPtr>& stack, Accumulators& accumulators) const {
     const Layer* base = nullptr;
     for (const LayerPtr& layer : stack) {
         double weight = coverage(*layer);
-        if (layer->clipped && base != nullptr) weight *= coverage(*base);
+        if (layer->clipped && base != nullptr) weight *= coverage(*base) * content_coverage(*base);
         if (!layer->clipped) base = layer.get();
         composite(*layer, weight, accumulators);
     }
@@ -235,34 +285,21 @@ void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weig
     below.coverage = ao;
 }
 
-double joined(MaskCombine combine, double mask, double entry) {
-    switch (combine) {
-        case MaskCombine::Replace:
-            return entry;
-        case MaskCombine::Multiply:
-            return mask * entry;
-        case MaskCombine::Add:
-            return std::min(mask + entry, 1.0);
-        case MaskCombine::Subtract:
-            return std::max(mask - entry, 0.0);
-        case MaskCombine::Lighten:
-            return std::max(mask, entry);
-        case MaskCombine::Darken:
-            return std::min(mask, entry);
-    }
-    return mask;
-}
-
 double Texel::mask(const Mask& mask) const {
     if (!mask.enabled) return 1;
     double value = static_cast<double>(mask.base);
     for (const MaskEntry& entry : mask.entries) {
         if (!entry.visible) continue;
-        double own = sampled(entry.source, ChannelKind::Scalar).value.x;
+        double own =
+            entry.adjustment
+                ? testing::adjusted(*entry.adjustment, Channel::Opacity, Vec3(value), false).x
+                : sampled(entry.source, ChannelKind::Scalar).value.x;
         if (entry.invert) own = 1 - own;
         own = testing::leveled(entry.levels, own);
-        value =
-            glm::mix(value, joined(entry.combine, value, own), static_cast<double>(entry.opacity));
+        const double joined = entry.combine == BlendMode::Replace
+                                  ? own
+                                  : testing::published_blend(entry.combine, value, own);
+        value = glm::mix(value, joined, static_cast<double>(entry.opacity));
     }
     value = std::clamp(value, 0.0, 1.0);
     return mask.invert ? 1 - value : value;

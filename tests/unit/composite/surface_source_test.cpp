@@ -136,7 +136,7 @@ TEST(GeometryMask, JoinsOtherEntriesAndCanBeInverted) {
     Layer layer = smooth_through({.meshes = {"Left"}});
     layer.mask.entries[0].invert = true;
     layer.mask.entries.push_back(
-        {.id = {3}, .source = ConstantSource{glm::vec3(0.5f)}, .combine = MaskCombine::Multiply});
+        {.id = {3}, .source = ConstantSource{glm::vec3(0.5f)}, .combine = BlendMode::Multiply});
     const auto plane = roughness_on(two_parts(), layer);
     EXPECT_EQ(plane[texel(10, 20)], 0.5f);
     EXPECT_EQ(plane[texel(40, 20)], 0.75f);

@@ -2,7 +2,9 @@
 #include "document/difference.h"
 
 #include <gmock/gmock.h>
+
 #include <gtest/gtest.h>
+#include <stdexcept>
 
 #include "document/edits.h"
 #include "document/setting.h"
@@ -36,7 +38,11 @@ Document sample() {
 }
 
 Document set(const Document& before, std::string_view text) {
-    return *with_setting(before, *setting_from_text(text));
+    const auto setting = setting_from_text(text);
+    if (!setting) throw std::runtime_error(setting.error().message);
+    const auto after = with_setting(before, *setting);
+    if (!after) throw std::runtime_error(after.error().message);
+    return *after;
 }
 
 TEST(DocumentDifference, OfADocumentAndItselfIsNothing) {
@@ -47,11 +53,35 @@ TEST(DocumentDifference, SaysWhichValueOfWhichLayerDiffersAndHow) {
     const Document after =
         set(set(set(sample(), "Body/Rust/opacity=0.5"), "Body/Rust/roughness/opacity=0.25"),
             "Body/resolution=1024");
-    EXPECT_THAT(differences(sample(), after),
-                ElementsAre(Difference{"Body", "", "resolution is 1024, was 2048"},
-                            Difference{"Body", "Group / Rust", "opacity is 0.5, was the default"},
-                            Difference{"Body", "Group / Rust",
-                                       "roughness opacity is 0.25, was the default"}));
+    EXPECT_THAT(
+        differences(sample(), after),
+        ElementsAre(Difference{"Body", "", "resolution is 1024, was 2048"},
+                    Difference{"Body", "Group / Rust", "opacity is 0.5, was 1"},
+                    Difference{"Body", "Group / Rust", "roughness opacity is 0.25, was 1"}));
+}
+
+TEST(DocumentDifference, SaysTheTablesValueOfWhatOneSideDoesNotWrite) {
+    const Document procedural =
+        set(sample(), R"(Body/Base/roughness={"kind": "perlin-noise", "scale": 8})");
+    Document after = procedural;
+    for (const char* text :
+         {"Body/Base/roughness/scale=24", "Body/Base/roughness/transform/rotation=30",
+          "Body/Base/roughness/projection={\"kind\": \"planar\"}", "Body/Base/mode=multiply",
+          "Body/Base/visible=false", "Body/Base/height-blend={}", "Body/Base/mask/base=0.25",
+          "Body/Base/metalness/enabled=false", "Body/alpha-mode=blend"})
+        after = set(after, text);
+    EXPECT_THAT(
+        differences(procedural, after),
+        testing::UnorderedElementsAre(
+            Difference{"Body", "", "alpha-mode is blend, was opaque"},
+            Difference{"Body", "Base", "roughness source scale is 24, was 8"},
+            Difference{"Body", "Base", "roughness source transform rotation is 30, was 0"},
+            Difference{"Body", "Base", "roughness source projection kind is planar, was uv"},
+            Difference{"Body", "Base", "mode is multiply, was normal"},
+            Difference{"Body", "Base", "visible is false, was true"},
+            Difference{"Body", "Base", "height-blend enabled is true, was false"},
+            Difference{"Body", "Base", "mask base is 0.25, was 1"},
+            Difference{"Body", "Base", "metalness enabled is false, was true"}));
 }
 
 TEST(DocumentDifference, NamesWhatIsNewWhatIsGoneAndWhatHasMoved) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "document/history.h"
 #include "document/preset.h"
 #include "document/record.h"
 #include "unit/document/sample_document.h"
@@ -347,6 +348,34 @@ TEST(Edits, SourcesOfTheWrongKindAreRefused) {
               "the source of Salt has no UV transform");
 }
 
+TEST(Edits, SeveralSourcesAreMovedInOneStepThatADragGoesOnWith) {
+    Sample sample;
+    const auto places = [&] {
+        std::vector<SourcePlace> result;
+        for (const Channel channel : {Channel::BaseColor, Channel::Roughness})
+            result.push_back(source_place(sample.material(), sample.layer("Salt"), channel));
+        return result;
+    };
+    for (const SourcePlace& place : places()) sample.apply(set_source(place, ProceduralSource{}));
+    History history(std::make_shared<const Document>(sample.document));
+    const auto turn = [&](float degrees) {
+        return at_all(places(),
+                      [&](const SourcePlace& place) { return set_uv_rotation(place, degrees); });
+    };
+    const auto turned = [&](std::size_t which) {
+        const Material& material = *history.document()->materials.front();
+        return std::get<ProceduralSource>(*find_source(material, places()[which]))
+            .transform.rotation_degrees;
+    };
+    for (const float degrees : {10.0f, 20.0f, 30.0f}) ASSERT_TRUE(history.apply(turn(degrees)));
+    EXPECT_EQ(turned(0), 30.0f);
+    EXPECT_EQ(turned(1), 30.0f);
+    history.undo();
+    EXPECT_EQ(turned(0), 0.0f);
+    EXPECT_EQ(turned(1), 0.0f);
+    EXPECT_FALSE(history.can_undo());
+}
+
 TEST(Edits, MaskEntriesAreAddedMovedAndRemoved) {
     Sample sample;
     const auto layer = [&]() -> const Layer& { return sample.layer("Verdigris"); };
@@ -373,6 +402,40 @@ TEST(Edits, MaskEntriesAreAddedMovedAndRemoved) {
               "");
     sample.apply(clear_mask(sample.material(), layer()));
     EXPECT_EQ(layer().mask, Mask{});
+}
+
+TEST(Edits, AnAdjustmentOfAMaskIsChangedByItsOwnEditAndHasNoSource) {
+    Sample sample;
+    const auto layer = [&]() -> const Layer& { return sample.layer("Verdigris"); };
+    sample.apply(
+        add_mask_entry(sample.material(), layer(), adjustment_mask_entry(AdjustmentKind::Curves)));
+    const MaskEntry entry = layer().mask.entries.back();
+    EXPECT_EQ(entry.combine, BlendMode::Replace);
+    AdjustmentSettings changed = *entry.adjustment;
+    changed.curve[0].y = 0.25f;
+    const Edit edit =
+        set_mask_entry_adjustment(sample.material(), layer(), entry, changed, Parameter::CurveY);
+    EXPECT_EQ(edit.label, "Output of mask entry Curves");
+    EXPECT_NE(edit.merge_key, MergeKey{});
+    sample.apply(edit);
+    EXPECT_EQ(layer().mask.entries.back().adjustment, changed);
+
+    changed.kind = AdjustmentKind::HueSaturation;
+    EXPECT_NE(sample.refusal(set_mask_entry_adjustment(sample.material(), layer(), entry, changed,
+                                                       Parameter::AdjustmentKindChoice)),
+              "");
+    EXPECT_NE(sample.refusal(set_mask_entry_adjustment(sample.material(), layer(),
+                                                       layer().mask.entries[0], {},
+                                                       Parameter::AdjustmentKindChoice)),
+              "");
+    EXPECT_NE(sample.refusal(set_constant(source_place(sample.material(), layer(), entry), {})),
+              "");
+    EXPECT_NE(
+        sample.refusal(set_mask_entry_levels(sample.material(), layer(), entry, {.gamma = 2.0f})),
+        "");
+    EXPECT_NE(sample.refusal(
+                  set_mask_entry_combine(sample.material(), layer(), entry, BlendMode::HueW3c)),
+              "");
 }
 
 TEST(Edits, APresetOfSeveralLayersBecomesAGroupAndOfOneALayer) {

@@ -183,6 +183,29 @@ TEST(History, TheLastEditCanBeUndoneHoweverLargeItIs) {
     EXPECT_EQ(top_layer(history)->opacity, 0.5f);
 }
 
+/// What a document with one layer costs by itself.
+std::size_t bytes_with(Layer layer) {
+    Material material;
+    material.stack = {std::make_shared<const Layer>(std::move(layer))};
+    Document document;
+    document.materials = {std::make_shared<const Material>(std::move(material))};
+    return added_bytes(nullptr, &document);
+}
+
+TEST(History, AStepCostsTheCurvesGradientsAndPartNamesOfItsLayers) {
+    AdjustmentContent content;
+    const std::size_t plain = bytes_with({.content = content});
+    content.adjustment.curve.resize(1000);
+    content.adjustment.gradient.resize(2000);
+    EXPECT_GE(bytes_with({.content = content}),
+              plain + 900 * sizeof(CurvePoint) + 1900 * sizeof(RampStop));
+    Layer masked;
+    masked.mask.entries.push_back({.source = GeometrySource{}});
+    const std::size_t unnamed = bytes_with(masked);
+    masked.mask.entries[0].source = GeometrySource{.meshes = {std::string(5000, 'a')}};
+    EXPECT_GE(bytes_with(masked), unnamed + 5000);
+}
+
 TEST(History, AStepCostsWhatItChangedAndNotTheWholeDocument) {
     const Document before = sample_document();
     const Material& material = *before.materials.front();

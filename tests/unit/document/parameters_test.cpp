@@ -48,6 +48,12 @@ TEST(Parameters, RangesHoldTheirStandardAndAreStatedWhereTheyMatter) {
     }
 }
 
+TEST(Parameters, WholeOnesRefuseDecimals) {
+    EXPECT_TRUE(check_range(Parameter::ProceduralScale, 8.0));
+    EXPECT_FALSE(check_range(Parameter::ProceduralScale, 8.4));
+    EXPECT_FALSE(check_range(Parameter::AdjustmentScale, 8.4));
+}
+
 TEST(Parameters, PercentAndPixelsAndSeedsHaveNoDecimalsAndDegreesHaveOne) {
     for (const ParameterInfo& row : parameters()) {
         if (row.unit == "%" || row.unit == "px") {
@@ -105,7 +111,6 @@ TEST(Parameters, StandardsAreThoseOfNewValues) {
     EXPECT_EQ(standard(Parameter::LevelsGamma), levels.gamma);
     EXPECT_EQ(standard(Parameter::LevelsOutHigh), levels.out_high);
     const MaskEntry entry;
-    EXPECT_EQ(standard(Parameter::MaskEntryCombine), static_cast<double>(entry.combine));
     EXPECT_EQ(standard(Parameter::MaskEntryOpacity), entry.opacity);
     const Material material;
     EXPECT_EQ(standard(Parameter::MaterialResolution), material.resolution);
@@ -130,8 +135,7 @@ TEST(Parameters, ChoicesHaveUniqueIdsThatReadBack) {
             EXPECT_FALSE(each.label.empty());
         }
     }
-    EXPECT_EQ(choice_from_id<MaskCombine>("subtract"), MaskCombine::Subtract);
-    EXPECT_EQ(choice(MaskCombine::Darken).id, "darken");
+    EXPECT_EQ(choice_from_id<LayerResult>("mask"), LayerResult::Mask);
     EXPECT_EQ(choice(AlphaMode::Blend).label, "Blend");
     EXPECT_EQ(choice(ProceduralKind::WorleyNoise).id, "worley-noise");
     EXPECT_FALSE(choice_from_id<Wrap>("tile"));
@@ -207,6 +211,18 @@ TEST(Parameters, ModesOfTheSchemaAreThoseOfTheTable) {
             if (applies_to(row.mode, channel)) expected.push_back(row.id);
         EXPECT_EQ(schema["$defs"][name]["enum"], expected) << name;
     }
+}
+
+TEST(Parameters, ModesAndAdjustmentsOfMasksInTheSchemaAreThoseThatMasksTake) {
+    const json schema = json::parse(
+        read_text_file(std::filesystem::path(PATINA_SOURCE_DIR) / "presets/schema.json").value());
+    json modes = json::array(), kinds = json::array();
+    for (const BlendModeInfo& row : kBlendModes)
+        if (combines_masks(row.mode)) modes.push_back(row.id);
+    for (std::size_t i = 0; i < kAdjustmentKinds.size(); ++i)
+        if (adjusts_masks(static_cast<AdjustmentKind>(i))) kinds.push_back(kAdjustmentKinds[i].id);
+    EXPECT_EQ(schema["$defs"]["mask-mode"]["enum"], modes);
+    EXPECT_EQ(schema["$defs"]["mask-adjustment"]["properties"]["kind"]["enum"], kinds);
 }
 
 }  // namespace

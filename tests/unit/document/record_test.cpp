@@ -138,6 +138,50 @@ TEST(Record, FaultsNameTheirJsonPointer) {
     EXPECT_EQ(fault_of("7"), "/stack is not a list of layers");
 }
 
+/// One fill whose mask has that entry, name and all but that left out.
+std::string entry_with(const std::string& keys) {
+    return R"([{"name":"A","mask":{"entries":[{"name":"M",)" + keys + "}]}}]";
+}
+
+TEST(Record, AMaskEntryIsASourceOrAnAdjustmentAndJoinsByTheModesOfNumbers) {
+    for (const char* good :
+         {R"("source":1,"combine":"difference")", R"("source":1,"combine":"soft-light-w3c")",
+          R"("adjustment":{"kind":"curves"},"combine":"multiply")",
+          R"("adjustment":{"kind":"blur","radius":9},"invert":true)"})
+        EXPECT_EQ(fault_of(entry_with(good)), "") << good;
+    const std::string place = "/stack/0/mask/entries/0";
+    EXPECT_EQ(fault_of(entry_with(R"("combine":"add")")), place + "/source is missing");
+    EXPECT_EQ(fault_of(entry_with(R"("source":1,"combine":"plaid")")),
+              place + "/combine is not a blend mode");
+    EXPECT_EQ(fault_of(entry_with(R"("source":1,"combine":"hue-w3c")")),
+              place + "/combine does not apply to masks");
+    EXPECT_EQ(fault_of(entry_with(R"("adjustment":{"kind":"gradient-map"})")),
+              place +
+                  "/adjustment is not valid: a mask has no colours to adjust by gradient-map: "
+                  "use levels or curves");
+    EXPECT_EQ(fault_of(entry_with(R"("source":1,"adjustment":{"kind":"clamp"})")),
+              place + "/source stands beside an adjustment");
+    EXPECT_EQ(fault_of(entry_with(R"("levels":{"gamma":2},"adjustment":{"kind":"clamp"})")),
+              place +
+                  "/adjustment is not valid: an adjustment of a mask has neither a source nor "
+                  "levels beside it");
+}
+
+TEST(Record, AnAdjustmentOfAMaskReplacesUnlessItSaysOtherwise) {
+    const auto entry_of = [](const std::string& keys) {
+        const auto record =
+            material_record_from_json(R"({"version":1,"stack":)" + entry_with(keys) + "}");
+        return record.value().stack[0]->mask.entries[0];
+    };
+    const MaskEntry plain = entry_of(R"("adjustment":{"kind":"posterise","steps":9})");
+    EXPECT_EQ(plain.combine, BlendMode::Replace);
+    ASSERT_TRUE(plain.adjustment);
+    EXPECT_EQ(plain.adjustment->steps, 9);
+    EXPECT_EQ(entry_of(R"("adjustment":{"kind":"clamp"},"combine":"multiply")").combine,
+              BlendMode::Multiply);
+    EXPECT_EQ(entry_of(R"("source":1)").combine, BlendMode::Multiply);
+}
+
 TEST(Record, SourcesAreCheckedInFull) {
     EXPECT_EQ(fault_of_source("0.5"), "");
     EXPECT_EQ(fault_of_source("[0.1,0.2,0.3]"), "");

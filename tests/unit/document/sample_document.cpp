@@ -32,7 +32,7 @@ Layer masked_layer() {
     drips.levels.gamma = 2.2f;
     MaskEntry cavities = image_mask_entry(*sample_image());
     cavities.id = MaskEntryId{6};
-    cavities.combine = MaskCombine::Subtract;
+    cavities.combine = BlendMode::Subtract;
     layer.mask.entries = {drips, cavities};
     return layer;
 }
@@ -384,7 +384,16 @@ const std::vector<EditOf>& edits_of_masks() {
         },
         [](const Target& t) {
             return set_mask_entry_combine(*t.material, *t.layer, t.entry(),
-                                          static_cast<MaskCombine>(t.choices.below(6)));
+                                          t.choices.coin() ? BlendMode::Difference : t.mode());
+        },
+        [](const Target& t) {
+            return add_mask_entry(
+                *t.material, *t.layer,
+                adjustment_mask_entry(static_cast<AdjustmentKind>(t.choices.below(11))));
+        },
+        [](const Target& t) {
+            return set_mask_entry_adjustment(*t.material, *t.layer, t.entry(), some_adjustment(t),
+                                             Parameter::AdjustmentKindChoice);
         },
         [](const Target& t) {
             return set_mask_entry_opacity(*t.material, *t.layer, t.entry(), t.choices.number(0, 1));

@@ -80,6 +80,29 @@ TEST(Setting, ReachesTheLayerItsChannelsItsSourcesAndItsMask) {
     EXPECT_EQ(std::get<ProceduralSource>(rust_of(entry).mask.entries[0].source).seed, 7u);
 }
 
+TEST(Setting, ReachesTheNumbersOfAnAdjustmentOfAMask) {
+    Document document = sample();
+    Layer rust = rust_of(document);
+    rust.mask.entries.push_back(adjustment_mask_entry(AdjustmentKind::BrightnessContrast));
+    rust.mask.entries.back().id = {5};
+    rust.mask.entries.back().name = "Harder";
+    Material body = *document.materials[0];
+    body.stack = {std::make_shared<const Layer>(rust)};
+    document.materials = {std::make_shared<const Material>(body)};
+    const auto entry_after = [&](std::string_view text) {
+        const auto after = with_setting(document, *setting_from_text(text));
+        EXPECT_TRUE(after.has_value()) << text;
+        return after ? after->materials[0]->stack[0]->mask.entries[1] : MaskEntry{};
+    };
+    EXPECT_EQ(entry_after("Body/Rust/mask/Harder/contrast=0.5").adjustment->contrast, 0.5f);
+    EXPECT_EQ(entry_after("Body/Rust/mask/Harder/adjustment/contrast=0.5").adjustment->contrast,
+              0.5f);
+    EXPECT_EQ(entry_after("Body/Rust/mask/Harder/levels/gamma=2").adjustment->levels.gamma, 2.0f);
+    EXPECT_EQ(entry_after("Body/Rust/mask/Harder/combine=screen").combine, BlendMode::Screen);
+    EXPECT_EQ(entry_after("Body/Rust/mask/Harder/opacity=0.5").opacity, 0.5f);
+    EXPECT_FALSE(with_setting(document, *setting_from_text("Body/Rust/mask/Harder/scale=0")));
+}
+
 TEST(Setting, TakesColoursAsArtistsWriteThem) {
     const auto color = [](std::string_view text) {
         const Document document = set(text);

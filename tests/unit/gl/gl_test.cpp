@@ -20,10 +20,22 @@ layout(location = 0) out vec4 color;
 void main() { color = vec4(texture(image, gl_FragCoord.xy / 4.0).rgb * tint, 0.5); }
 )";
 
-TEST_F(GlTest, AHeadlessContextHasOpenGl41OrNewer) {
+TEST_F(GlTest, AHeadlessContextHasOpenGl41AndOfMesaNothingNewer) {
     const std::string description = gl::renderer_description();
     RecordProperty("renderer", description);
     EXPECT_EQ(description.find("unknown"), std::string::npos) << description;
+    if (description.find("Mesa") == std::string::npos) return;
+    EXPECT_NE(description.find(", 4.1 "), std::string::npos) << description;
+}
+
+TEST(SoftwareRenderer, IsToldByItsNameFromAGraphicsCard) {
+    for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer",
+                             "Google SwiftShader", "GDI Generic", "Apple Software Renderer"})
+        EXPECT_TRUE(gl::is_software_renderer(name)) << name;
+    for (const char* name :
+         {"NVIDIA GeForce RTX 3060/PCIe/SSE2", "Mesa Intel(R) UHD Graphics 620 (KBL GT2)",
+          "AMD Radeon RX 6600 (navi23, LLVM 15.0.6, DRM 3.49)", "Apple M1", ""})
+        EXPECT_FALSE(gl::is_software_renderer(name)) << name;
 }
 
 TEST_F(GlTest, UploadedTexelsReadBackAsTheyWere) {

@@ -59,16 +59,34 @@ TEST(ImageFile, SaysNothingOfTheTimeAtWhichItWasWritten) {
     }
 }
 
+TEST(ImageFile, JpegIsCloseToTheNumbersByItsQualityAndTakesNoAlpha) {
+    for (const int channels : {1, 3}) {
+        const Image image = gradient(channels, SampleType::U8);
+        const auto fine = encode_image(image, ImageFormat::Jpeg, {.jpeg_quality = 100});
+        ASSERT_TRUE(fine) << fine.error().message;
+        const Image read = read_by_openimageio(*fine, "jpeg");
+        ASSERT_EQ(read.channels, channels);
+        for (std::size_t i = 0; i < image.data.size(); ++i)
+            ASSERT_NEAR(static_cast<int>(read.data[i]), static_cast<int>(image.data[i]), 6);
+        EXPECT_LT(encode_image(image, ImageFormat::Jpeg, {.jpeg_quality = 10})->size(),
+                  fine->size());
+    }
+    EXPECT_FALSE(encode_image(gradient(4, SampleType::U8), ImageFormat::Jpeg));
+    EXPECT_FALSE(encode_image(gradient(3, SampleType::U16), ImageFormat::Jpeg));
+}
+
 TEST(ImageFile, TheExtensionNamesTheFormat) {
     EXPECT_EQ(image_format_of("a.PNG"), ImageFormat::Png);
     EXPECT_EQ(image_format_of("a.tiff"), ImageFormat::Tiff);
     EXPECT_EQ(image_format_of("b.c.exr"), ImageFormat::Exr);
-    EXPECT_FALSE(image_format_of("a.jpg"));
+    EXPECT_EQ(image_format_of("a.jpg"), ImageFormat::Jpeg);
+    EXPECT_EQ(image_format_of("a.jpeg"), ImageFormat::Jpeg);
+    EXPECT_FALSE(image_format_of("a.webp"));
     EXPECT_FALSE(image_format_of("png"));
-    const auto status = write_image_file("a.jpg", gradient(3, SampleType::U8));
+    const auto status = write_image_file("a.webp", gradient(3, SampleType::U8));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().message,
-              "a.jpg: the extension names no image format; use .png, .tif or .exr");
+              "a.webp: the extension names no image format; use .png, .tif, .exr or .jpg");
 }
 
 }  // namespace

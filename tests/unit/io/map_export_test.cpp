@@ -86,6 +86,37 @@ TEST_F(MapExport, OfWhatASaveHasBakedIsWhatItWouldBakeItself) {
         }
 }
 
+TEST_F(MapExport, AsJpegKeepsNormalsAsPngUnlessTheyAreNamed) {
+    const MapExportOptions options{.format = ImageFormat::Jpeg};
+    EXPECT_THAT(names_of(exported(options)),
+                ElementsAre("Quad_base-color.jpg", "Quad_occlusion-roughness-metalness.jpg",
+                            "Quad_normal.png"));
+    EXPECT_THAT(warnings_of(options), ElementsAre(HasSubstr("normal stays png")));
+    const MapExportOptions insisting{.format_of_map = {{"normal", ImageFormat::Jpeg}}};
+    EXPECT_THAT(names_of(exported(insisting)),
+                ElementsAre("Quad_base-color.png", "Quad_occlusion-roughness-metalness.png",
+                            "Quad_normal.jpg"));
+    EXPECT_THAT(warnings_of(insisting), ElementsAre(HasSubstr("normal as jpg")));
+}
+
+TEST_F(MapExport, RefusesFormatsThatCannotHoldWhatIsAskedOfThem) {
+    EXPECT_FALSE(check_map_options({.format = ImageFormat::Jpeg, .bits = 16}));
+    EXPECT_FALSE(check_map_options({.format_of_map = {{"normal", ImageFormat::Exr}}}));
+    EXPECT_FALSE(check_map_options({.format_of_map = {{"height", ImageFormat::Png}}}));
+    EXPECT_FALSE(
+        check_map_options({.format = ImageFormat::Jpeg, .packing = packing_from_id("unity-hdrp")}));
+    EXPECT_TRUE(check_map_options({.format = ImageFormat::Jpeg,
+                                   .format_of_map = {{"MaskMap", ImageFormat::Png}},
+                                   .packing = packing_from_id("unity-hdrp")}));
+}
+
+TEST_F(MapExport, OfEachPngLevelHoldsTheSameNumbers) {
+    const auto quick = exported({.png_level = 1});
+    const auto hard = exported({.png_level = 3});
+    EXPECT_NE(*read_file(quick.at(0)), *read_file(hard.at(0)));
+    EXPECT_EQ(decoded(quick.at(0)), decoded(hard.at(0)));
+}
+
 TEST_F(MapExport, OfSixteenBitsIsWithinOneStepOfTheEightBitOne) {
     const auto eight = exported({});
     for (const ImageFormat format : {ImageFormat::Png, ImageFormat::Tiff}) {

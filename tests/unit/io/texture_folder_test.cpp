@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 #include "io/image_file.h"
+#include "io/map_packing.h"
 #include "sample_gltf.h"
 #include "temporary_folder.h"
 
@@ -55,6 +59,19 @@ TEST(TextureNames, AreReadAsTheSourcesOfTexturesWriteThem) {
           {.channel = Channel::Metalness, .pick = ChannelPick::Blue}}},
         {"wood_gloss.png",
          {{.channel = Channel::Roughness, .pick = ChannelPick::Red, .invert = true}}},
+        {"Body_AlbedoTransparency.png", {whole(Channel::BaseColor)}},
+        {"Body_MetallicSmoothness.png",
+         {red(Channel::Metalness),
+          {.channel = Channel::Roughness, .pick = ChannelPick::Alpha, .invert = true}}},
+        {"Body_MaskMap.png",
+         {red(Channel::Metalness),
+          {.channel = Channel::Occlusion, .pick = ChannelPick::Green},
+          {.channel = Channel::Roughness, .pick = ChannelPick::Alpha, .invert = true}}},
+        {"x_ao_rough_metal.png",
+         {red(Channel::Occlusion),
+          {.channel = Channel::Roughness, .pick = ChannelPick::Green},
+          {.channel = Channel::Metalness, .pick = ChannelPick::Blue}}},
+        {"leaf_mask.png", {}},
         {"readme.png", {}},
         {"DSC_0123.jpg", {}},
         {"d.png", {}},
@@ -68,6 +85,56 @@ TEST(TextureNames, TellDirectxNormalsFromOpenglOnes) {
     EXPECT_TRUE(guess_texture("wood_nor_dx_2k.exr").directx_normal);
     EXPECT_FALSE(guess_texture("Wood062_2K_NormalGL.jpg").directx_normal);
     EXPECT_TRUE(guess_texture("Wood062_2K_NormalDX.jpg").directx_normal);
+}
+
+/// What a texture of that name would be read as, by component of the file; unset where nothing is.
+std::array<PackedValue, 4> as_read(const std::string& name) {
+    std::array<PackedValue, 4> values = {};
+    const TextureGuess guess = guess_texture(name);
+    for (const TextureChannel& channel : guess.channels) {
+        if (channel.pick == ChannelPick::Rgb)
+            for (int k = 0; k < 3; ++k)
+                values[static_cast<std::size_t>(k)] = {
+                    .channel = channel.channel,
+                    .component = k,
+                    .invert = channel.channel == Channel::Normal && k == 1 && guess.directx_normal};
+        else
+            values[static_cast<std::size_t>(channel.pick) -
+                   static_cast<std::size_t>(ChannelPick::Red)] = {.channel = channel.channel,
+                                                                  .invert = channel.invert};
+    }
+    return values;
+}
+
+TEST(TextureNames, OfEveryExportPackingAreReadBackAsWhatTheyHold) {
+    for (const MapPacking& packing : map_packings())
+        for (const PackedMap& map : packing.maps) {
+            const std::string name = fmt::format("Body_{}.png", map.id);
+            SCOPED_TRACE(fmt::format("{} {}", packing.id, name));
+            EXPECT_EQ(guess_texture(name).stem(), "body");
+            const std::array<PackedValue, 4> read = as_read(name);
+            std::set<Channel> seen;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(map.channels); ++i) {
+                const PackedValue& held = map.values[i];
+                // Alpha of a colour is looked at when the file is read; grey may be said thrice.
+                if (!held.channel || held.channel == Channel::Opacity) continue;
+                if (info(*held.channel).kind == ChannelKind::Scalar &&
+                    !seen.insert(*held.channel).second)
+                    continue;
+                EXPECT_EQ(read[i].channel, held.channel) << i;
+                EXPECT_EQ(read[i].component, held.component) << i;
+                EXPECT_EQ(read[i].invert, held.invert) << i;
+            }
+        }
+}
+
+TEST(TextureNames, AreOfOneMaterialWhereTheWordsBeforeTheirUseAreTheSame) {
+    EXPECT_EQ(guess_texture("Metal-Plate_rough_2k.png").stem(), "metal_plate");
+    EXPECT_EQ(guess_texture("metal_plate_nor_gl_4k.exr").stem(), "metal_plate");
+    EXPECT_EQ(guess_texture("Wood062_2K-JPG_AmbientOcclusion.jpg").stem(), "wood_062");
+    EXPECT_EQ(guess_texture("T_Rock_N.tga").stem(), "t_rock");
+    EXPECT_EQ(guess_texture("albedo_brick.png").stem(), "brick");
+    EXPECT_EQ(guess_texture("albedo_4096.png").stem(), "");
 }
 
 class TextureFolderTest : public testing::Test {
@@ -138,11 +205,45 @@ TEST_F(TextureFolderTest, PrefersFilesOfOneChannelAndOpenglNormalsAndSaysSo) {
     EXPECT_FALSE(source(oak.layer, Channel::Normal).directx_normal);
 }
 
-TEST_F(TextureFolderTest, TakesOpacityFromItsOwnFileElseFromAlpha) {
+TEST_F(TextureFolderTest, TakesOpacityFromItsOwnFileElseFromAlphaAndSaysSo) {
     put("oak_albedo.png", 100, 4);
-    EXPECT_EQ(source(read().layer, Channel::Opacity).pick, ChannelPick::Alpha);
+    const TextureFolder oak = read();
+    EXPECT_EQ(source(oak.layer, Channel::Opacity).pick, ChannelPick::Alpha);
+    EXPECT_EQ(oak.files[0].described,
+              "oak_albedo.png: base-color, opacity from alpha (\"albedo\")");
     put("oak_opacity.png", 50, 1);
     EXPECT_EQ(source(read().layer, Channel::Opacity).pick, ChannelPick::Red);
+}
+
+TEST_F(TextureFolderTest, TakesNoOpacityFromAnAlphaThatIsOneEverywhere) {
+    put("oak_albedo.png", 255, 4);
+    EXPECT_FALSE(at(read().layer.channels, Channel::Opacity).enabled);
+}
+
+TEST_F(TextureFolderTest, RefusesTheTexturesOfTwoMaterialsAndTakesTheOneThatIsNamed) {
+    put("wood_albedo.png", 10);
+    put("wood_rough.png", 20, 1);
+    put("metal_plate_albedo.png", 30);
+    const auto both = read_texture_folder(folder(), store_);
+    ASSERT_FALSE(both.has_value());
+    EXPECT_THAT(both.error().message, HasSubstr("metal_plate, wood"));
+    const auto wood = read_texture_folder(folder() / "wood", store_);
+    ASSERT_TRUE(wood.has_value()) << wood.error().message;
+    EXPECT_EQ(wood->layer.name, "wood");
+    EXPECT_EQ(wood->files.size(), 2u);
+    const auto stone = read_texture_folder(folder() / "stone", store_);
+    ASSERT_FALSE(stone.has_value());
+    EXPECT_THAT(stone.error().message, HasSubstr("no folder"));
+}
+
+TEST_F(TextureFolderTest, TakesAPictureOfTheMaterialForNoTexture) {
+    put("Metal032.png", 200);
+    put("Metal032_2K_Color.png", 10);
+    put("Metal032_2K_Metalness.png", 20, 1);
+    put("roughness.png", 30, 1);  // names no material: of the one that is there
+    const TextureFolder metal = read();
+    EXPECT_TRUE(metal.files[0].used.empty());
+    EXPECT_EQ(metal.images.size(), 3u);
 }
 
 TEST_F(TextureFolderTest, ReadsFloatsAsLinearThoughTheyAreCarriedAsIntegers) {

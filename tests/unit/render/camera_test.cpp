@@ -17,21 +17,27 @@ glm::vec3 clip_position(const Camera& camera, const Bounds& bounds, float aspect
     return glm::vec3(clip) / clip.w;
 }
 
+/// How far from the middle of the picture the corners lie at most; 1 is its edge.
+float reach_of_corners(const Camera& camera, const Bounds& bounds, float aspect) {
+    float reach = 0.0f;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::vec3 corner((i & 1u) != 0 ? bounds.high.x : bounds.low.x,
+                               (i & 2u) != 0 ? bounds.high.y : bounds.low.y,
+                               (i & 4u) != 0 ? bounds.high.z : bounds.low.z);
+        const glm::vec3 clip = clip_position(camera, bounds, aspect, corner);
+        EXPECT_LE(std::abs(clip.z), 1.0f);
+        reach = std::max({reach, std::abs(clip.x), std::abs(clip.y)});
+    }
+    return reach;
+}
+
 TEST(Camera, FramingShowsEveryCornerFromEveryDirection) {
     for (const ViewDirection direction :
          {ViewDirection::ThreeQuarter, ViewDirection::Front, ViewDirection::Back,
           ViewDirection::Left, ViewDirection::Right, ViewDirection::Top, ViewDirection::Bottom})
         for (const float aspect : {0.5f, 1.0f, 16.0f / 9.0f}) {
             const Camera camera = framed(kBox, aspect, direction);
-            float reach = 0.0f;
-            for (unsigned i = 0; i < 8; ++i) {
-                const glm::vec3 corner((i & 1u) != 0 ? kBox.high.x : kBox.low.x,
-                                       (i & 2u) != 0 ? kBox.high.y : kBox.low.y,
-                                       (i & 4u) != 0 ? kBox.high.z : kBox.low.z);
-                const glm::vec3 clip = clip_position(camera, kBox, aspect, corner);
-                EXPECT_LE(std::abs(clip.z), 1.0f);
-                reach = std::max({reach, std::abs(clip.x), std::abs(clip.y)});
-            }
+            const float reach = reach_of_corners(camera, kBox, aspect);
             EXPECT_LE(reach, 0.92f);
             EXPECT_GE(reach, 0.85f) << "no larger margin than needed";
         }
@@ -102,6 +108,19 @@ TEST(Camera, OrbitStopsShortOfThePoles) {
     EXPECT_LT(offset.y, 1.0f);
 }
 
+TEST(Camera, ATurntableTurnsWhatIsUpInThePictureToo) {
+    const Camera lying = {
+        .position = {0.0f, 1.0f, 5.0f}, .target = {0.0f, 1.0f, 0.0f}, .up = {1.0f, 0.0f, 0.0f}};
+    const Camera quarter = turned(lying, 90.0f);
+    EXPECT_NEAR(glm::distance(quarter.position, glm::vec3(5.0f, 1.0f, 0.0f)), 0.0f, 1e-5f);
+    EXPECT_NEAR(glm::distance(quarter.up, glm::vec3(0.0f, 0.0f, -1.0f)), 0.0f, 1e-6f);
+    // What turns with the camera stays where it was in the picture.
+    const glm::vec3 seen = glm::vec3(view_from_world(lying) * glm::vec4(0.3f, 1.2f, 0.1f, 1.0f));
+    const glm::vec3 after =
+        glm::vec3(view_from_world(quarter) * glm::vec4(0.1f, 1.2f, -0.3f, 1.0f));
+    EXPECT_NEAR(glm::distance(seen, after), 0.0f, 1e-5f);
+}
+
 TEST(Camera, PannedByHalfTheHeightPutsTheOldTargetAtTheEdge) {
     const Camera before = framed(kBox, 1.0f, ViewDirection::Front);
     const Camera after = panned(before, 0.0f, 0.5f);
@@ -113,6 +132,43 @@ TEST(Camera, OneDollyStepHalvesTheDistance) {
     const Camera after = dollied(before, 1.0f);
     EXPECT_NEAR(glm::distance(after.position, after.target),
                 0.5f * glm::distance(before.position, before.target), 1e-5f);
+}
+
+TEST(Camera, FramingAroundAnotherTargetShowsEveryCornerAndKeepsTargetAndUp) {
+    Camera aimed;
+    aimed.target = kBox.high;
+    aimed.position = kBox.high + glm::vec3(1.0f, 0.5f, 2.0f);
+    aimed.up = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
+    const Camera camera = framed_around(aimed, kBox, 1.5f);
+    EXPECT_EQ(camera.target, aimed.target);
+    EXPECT_EQ(camera.up, aimed.up);
+    const float reach = reach_of_corners(camera, kBox, 1.5f);
+    EXPECT_LE(reach, 0.92f);
+    EXPECT_GE(reach, 0.85f) << "no farther than needed";
+}
+
+TEST(Camera, OneOfTheFileThatIsScaledToNothingStillLooksSomewhere) {
+    SceneCamera flat;
+    flat.world_from_camera = glm::mat4(0.0f);
+    flat.world_from_camera[3] = glm::vec4(0.0f, 0.0f, 4.0f, 1.0f);
+    flat.fov_y_radians = 3.1f;
+    const Camera camera = camera_of(flat, kBox);
+    EXPECT_EQ(camera.position, glm::vec3(0.0f, 0.0f, 4.0f));
+    EXPECT_LT(camera.target.z, 4.0f);
+    EXPECT_EQ(camera.up, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_LE(camera.fov_y_degrees, 160.0f);
+}
+
+TEST(Camera, AFlatSceneLiesBetweenThePlanesOfACameraThatFacesIt) {
+    const Bounds flat = {.low = {-1.0f, -1.0f, 0.0f}, .high = {1.0f, 1.0f, 0.0f}};
+    const Camera perspective = framed(flat, 1.0f, ViewDirection::Front);
+    for (const Camera& camera : {perspective, with_other_projection(perspective),
+                                 dollied(perspective, 8.0f), dollied(perspective, -8.0f)}) {
+        const DepthRange range = depth_range(camera, flat);
+        EXPECT_LT(range.near_m, 0.9999f * camera.position.z);
+        EXPECT_GT(range.far_m, 1.0001f * camera.position.z);
+        EXPECT_LT(std::abs(clip_position(camera, flat, 1.0f, {0.5f, 0.0f, 0.0f}).z), 0.999f);
+    }
 }
 
 TEST(Camera, EmptyBoundsAreFramedAsAUnitBall) {

@@ -50,6 +50,34 @@ TEST_F(RenderTest, EqualShadingsDifferNowhereAndOthersAsTheirPicturesSay) {
     EXPECT_NEAR(*std::max_element(some.begin(), some.end()), largest, 0.002f * largest);
 }
 
+TEST_F(RenderTest, ADifferenceOfManySamplesIsThatOfWhatBothSidesConvergeTo) {
+    constexpr int kSamples = 64;
+    ASSERT_TRUE(renderer().set_environment(filtered_builtin("studio")));
+    ASSERT_TRUE(renderer().set_material(-1, constant_surface({0.9f, 0.6f, 0.3f}, 1.0f, 0.4f)));
+    view_.right.terms.distribution = DistributionTerm::Beckmann;
+    view_.right.model = ShadingModel::Pbr;
+    const auto alone = [&](const Shading& shading) {
+        View view = view_;
+        view.left = shading;
+        return value_of(renderer().still_linear(view, kSize, kSamples));
+    };
+    const Image left = alone(view_.left);
+    const Image right = alone(view_.right);
+    view_.compare = CompareMode::Difference;
+    const Image difference = value_of(renderer().still_linear(view_, kSize, kSamples));
+    const auto luminance_at = [](const Image& image, int x, int y) {
+        return glm::dot(glm::vec3(pixel_of(image, x, y)), glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    };
+    float largest = 0.0f;
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x) {
+            const float wanted = std::abs(luminance_at(left, x, y) - luminance_at(right, x, y));
+            largest = std::max(largest, wanted);
+            EXPECT_NEAR(pixel_of(difference, x, y).x, wanted, 1e-4f + 0.001f * wanted);
+        }
+    EXPECT_GT(largest, 0.01f);
+}
+
 TEST_F(RenderTest, BothSidesOfAPixelAreWhatEachSideShowsAlone) {
     view_.compare = CompareMode::TwoViews;
     view_.difference_beside = true;

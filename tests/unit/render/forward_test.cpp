@@ -152,6 +152,24 @@ TEST_F(ForwardTest, BothPathsDrawTheSamePictureOfSmoothAndRoughMetal) {
     }
 }
 
+TEST_F(ForwardTest, LightBeyondWhatHalfFloatsHoldIsStillANumberUnderWhatBlends) {
+    constexpr float kRadiance = 3e5f;
+    SurfaceMaterial blazing = constant_surface(glm::vec3(0.5f), 0.0f, 0.5f);
+    blazing[Slot::Emissive].multiply = glm::vec4(1.0f);
+    blazing.emissive_strength = kRadiance;
+    ASSERT_TRUE(renderer().set_material(0, blazing));
+    view_.left.path = RenderPath::Forward;
+    const Image picture = value_of(renderer().still_linear(view_, {64, 48}, 4));
+    float brightest = 0.0f;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const glm::vec4 pixel = pixel_of(picture, x, y);
+            ASSERT_TRUE(std::isfinite(pixel.r)) << x << " " << y;
+            brightest = std::max(brightest, pixel.r);
+        }
+    EXPECT_NEAR(brightest, kRadiance, 0.01f * kRadiance);
+}
+
 TEST_F(ForwardTest, APathIsOneSideOfAComparison) {
     view_.compare = CompareMode::Split;
     view_.right = view_.left;
@@ -194,6 +212,74 @@ TEST_F(ForwardTest, AMeanOfManyDrawsIsTheSameOnBothPaths) {
         difference(deferred, value_of(renderer().still_srgb(view_, {64, 48}, 64)));
     EXPECT_LE(found.beyond_one, 0.02);
     EXPECT_LE(found.most, 12);
+}
+
+/// What is hollow and lets half of the light through.
+class BlendTest : public RenderTest {
+  protected:
+    void SetUp() override {
+        RenderTest::SetUp();
+        SurfaceMaterial glass = constant_surface({0.2f, 0.4f, 0.9f}, 0.0f, 0.2f);
+        glass[Slot::BaseColor].multiply.a = 0.5f;
+        glass.alpha_mode = AlphaMode::Blend;
+        glass.double_sided = true;
+        ASSERT_TRUE(renderer().set_material(0, glass));
+        ASSERT_TRUE(renderer().set_environment(filtered_builtin("studio")));
+    }
+    Image picture_of(const Mesh& mesh) {
+        auto scene = std::make_shared<Scene>();
+        scene->meshes = {mesh};
+        for (Primitive& primitive : scene->meshes[0].primitives) primitive.source_material = 0;
+        scene->instances = {{.mesh = 0, .world_from_local = glm::mat4(1.0f), .name = "glass"}};
+        show(scene);
+        view_.camera = framed(renderer().bounds_world(), 1.0f);
+        return value_of(renderer().still_linear(view_, kSize, 1));
+    }
+};
+
+/// The same mesh with the triangles of each primitive in another order.
+template <typename Order>
+Mesh reordered(Mesh mesh, const Order& order) {
+    for (Primitive& primitive : mesh.primitives) {
+        const std::vector<std::uint32_t> before = primitive.indices;
+        const std::size_t count = before.size() / 3;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                primitive.indices[3 * i + corner] = before[3 * order(i, count) + corner];
+    }
+    return mesh;
+}
+
+TEST_F(BlendTest, TheOrderOfAFilesTrianglesIsNotSeen) {
+    for (const Shape shape : {Shape::Sphere, Shape::Torus}) {
+        const Mesh mesh = shape_mesh(shape);
+        const Image as_it_is = picture_of(mesh);
+        const auto backwards = [](std::size_t i, std::size_t count) { return count - 1 - i; };
+        const Image turned_round = picture_of(reordered(mesh, backwards));
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x)
+                ASSERT_NEAR(glm::distance(pixel_of(as_it_is, x, y), pixel_of(turned_round, x, y)),
+                            0.0f, 1e-4f)
+                    << x << " " << y;
+    }
+}
+
+TEST_F(BlendTest, TheNearWallOfABallIsOverTheFarOne) {
+    SurfaceMaterial flat = constant_surface(glm::vec3(1.0f), 0.0f, 0.5f);
+    flat[Slot::BaseColor].multiply.a = 0.5f;
+    flat.alpha_mode = AlphaMode::Blend;
+    flat.double_sided = true;
+    flat.unlit = true;
+    ASSERT_TRUE(renderer().set_material(0, flat));
+    Mesh ball = shape_mesh(Shape::Sphere);
+    Primitive& primitive = ball.primitives[0];
+    for (const glm::vec3& at : primitive.positions)
+        primitive.colors.push_back(at.z > 0.0f ? glm::vec4(0.0f, 1.0f, 0.0f, 1.0f)
+                                               : glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    show(scene_of(ball));
+    const Image picture = value_of(renderer().still_linear(view_, kSize, 1));
+    const glm::vec4 middle = pixel_of(picture, kSize.width / 2, kSize.height / 2);
+    EXPECT_NEAR(glm::distance(middle, glm::vec4(0.25f, 0.5f, 0.0f, 0.75f)), 0.0f, 1e-3f);
 }
 
 }  // namespace

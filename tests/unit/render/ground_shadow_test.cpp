@@ -28,7 +28,8 @@ GroundShadow shadow_of_sphere() {
     Bounds bounds;
     bounds.include({-0.5f, 0.0f, -0.5f});
     bounds.include({0.5f, 1.0f, 0.5f});
-    return ground_shadow(*scene_of(shape_mesh(Shape::Sphere)), bounds);
+    const Mesh sphere = shape_mesh(Shape::Sphere);
+    return ground_shadow({{.primitive = &sphere.primitives[0]}}, bounds);
 }
 
 /// What reaches the floor at a place beside the sphere's foot, 0 to 1.
@@ -150,6 +151,20 @@ TEST_F(FloorTest, ItIsInTheShadowOfALampAndOfASun) {
     EXPECT_GT(before, 0.9f);
     view_.shadows = false;
     EXPECT_GT(darkened(4).first, 0.7f);
+}
+
+TEST_F(FloorTest, WhatBlendsLeavesNoShadowOnItOfAnyKindOfLight) {
+    SurfaceMaterial glass = constant_surface(glm::vec3(0.8f), 0.0f, 0.2f);
+    const glm::vec3 travel = glm::normalize(glm::vec3(1.0f, -1.0f, 0.0f));
+    view_.lights = {{.name = "lamp", .intensity = 2.0f, .direction_world = travel}};
+    EXPECT_LT(darkened(1).first, 0.9f);
+    glass.alpha_mode = AlphaMode::Blend;
+    ASSERT_TRUE(renderer().set_material(0, glass));
+    EXPECT_FLOAT_EQ(darkened(1).first, 1.0f);
+    EXPECT_FLOAT_EQ(darkened(1).second, 1.0f);
+    glass.alpha_mode = AlphaMode::Opaque;
+    ASSERT_TRUE(renderer().set_material(0, glass));
+    EXPECT_LT(darkened(1).first, 0.9f);
 }
 
 TEST_F(FloorTest, ItIsDarkerWhereTheModelHidesTheLightOfTheEnvironment) {

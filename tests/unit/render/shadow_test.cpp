@@ -2,6 +2,7 @@
 
 /// Shadows of lights that are far away, and of lamps at a place.
 
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -47,6 +48,7 @@ class ShadowTest : public RenderTest {
     }
     /// Of direct light, where there is any without shadows.
     struct Seen {
+        int pixel;
         glm::vec3 position;
         float share;  ///< of the light that it would have without shadows
     };
@@ -60,7 +62,8 @@ class ShadowTest : public RenderTest {
                 const glm::vec4 at = pixel_of(position, x, y);
                 const float whole = pixel_of(without, x, y).g;
                 if (at.a < 1.0f || whole < 0.02f) continue;
-                result.push_back({glm::vec3(at), pixel_of(with, x, y).g / whole});
+                result.push_back(
+                    {y * kPicture.width + x, glm::vec3(at), pixel_of(with, x, y).g / whole});
             }
         return result;
     }
@@ -243,6 +246,82 @@ TEST_F(ShadowTest, ManyDrawsOfARectanglesShadowConvergeToWhatEachPointSeesOfIt) 
     std::printf("one draw %.4f, 256 draws %.4f\n", soft, converged);
     EXPECT_LT(soft, 0.1);
     EXPECT_LT(converged, 0.02);
+}
+
+/// How one mean of draws differs from another where both see the same, and how much of either is
+/// half in the dark.
+struct Softness {
+    double error = 0.0;  ///< root mean square
+    int half_dark = 0;
+    int half_dark_truly = 0;
+};
+
+/// Close lamps, whose maps are wide: of each the shadow's edge is as wide as the sphere.
+const std::array<Light, 2> kCloseLamps = {
+    Light{.kind = Light::Kind::Sphere,
+          .name = "sphere",
+          .intensity = 100.0f,
+          .position_world = {-2.0f, 2.2f, 1.0f},
+          .radius_m = 0.3f},
+    Light{.kind = Light::Kind::Rectangle,
+          .name = "rectangle",
+          .intensity = 100.0f,
+          .position_world = {1.6f, 2.4f, 0.8f},
+          .direction_world = glm::normalize(glm::vec3(-1.6f, -1.4f, -0.8f)),
+          .width_m = 0.8f,
+          .height_m = 0.6f}};
+
+TEST_F(ShadowTest, FewDrawsOfACloseLampsShadowAreAsSoftAsManyAre) {
+    show_sphere_over_floor();
+    for (const Light& lamp : kCloseLamps) {
+        view_.lights = {lamp};
+        const std::vector<Seen> truth = seen(ChannelView::DiffuseDirect, 128);
+        for (const int draws : {1, 16}) {
+            const std::vector<Seen> few = seen(ChannelView::DiffuseDirect, draws);
+            Softness found;
+            std::size_t j = 0;
+            std::size_t count = 0;
+            for (const Seen& each : truth) {
+                while (j < few.size() && few[j].pixel < each.pixel) ++j;
+                if (j == few.size()) break;
+                if (few[j].pixel != each.pixel) continue;
+                const auto half = [](float share) { return share > 0.15f && share < 0.85f; };
+                found.half_dark += half(few[j].share) ? 1 : 0;
+                found.half_dark_truly += half(each.share) ? 1 : 0;
+                const double off = few[j].share - each.share;
+                found.error += off * off;
+                ++count;
+            }
+            found.error = std::sqrt(found.error / static_cast<double>(count));
+            std::printf("%s, %d draws: off by %.4f, half dark %d of %d\n", lamp.name.c_str(), draws,
+                        found.error, found.half_dark, found.half_dark_truly);
+            EXPECT_LT(found.error, 0.07);
+            EXPECT_GT(found.half_dark, 0.7 * found.half_dark_truly);
+            EXPECT_LT(found.half_dark, 1.8 * found.half_dark_truly);
+        }
+    }
+}
+
+TEST_F(ShadowTest, ACloseLampLeavesNoSpecksOnASurfaceThatNothingHides) {
+    for (const Shape shape : {Shape::Plane, Shape::Sphere}) {
+        show(scene_of(shape_mesh(shape), glm::scale(glm::mat4(1.0f), glm::vec3(3.0f))));
+        view_.camera.position = {0.0f, 5.0f, 8.0f};
+        const glm::vec3 middle(0.0f, 1.5f, 0.0f);
+        for (Light lamp : kCloseLamps) {
+            lamp.position_world *= 1.5f;
+            view_.lights = {lamp};
+            for (const Seen& each : seen(ChannelView::DiffuseDirect)) {
+                const glm::vec3 normal = shape == Shape::Plane
+                                             ? glm::vec3(0.0f, 1.0f, 0.0f)
+                                             : glm::normalize(each.position - middle);
+                const glm::vec3 towards = glm::normalize(lamp.position_world - each.position);
+                // More on edge than that the faces of the mesh hide some of the lamp.
+                if (glm::dot(normal, towards) < 0.1f) continue;
+                ASSERT_NEAR(each.share, 1.0f, 2e-3f) << lamp.name << " " << each.position.x << " "
+                                                     << each.position.y << " " << each.position.z;
+            }
+        }
+    }
 }
 
 TEST_F(ShadowTest, TheStrongestLampsCastShadowsWhateverTheirOrder) {

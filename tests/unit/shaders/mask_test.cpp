@@ -41,22 +41,6 @@ TEST(Mask, ContrastGoesFromFlatThroughNothingToAThreshold) {
     }
 }
 
-TEST(Mask, CombiningStaysWithinZeroToOneAndHasItsNeutralEntries) {
-    for (int mask = 0; mask <= 255; mask += 5) {
-        const float m = byte(mask);
-        EXPECT_EQ(formulae::mask_multiply(m, 1.0f), m);
-        EXPECT_EQ(formulae::mask_add(m, 0.0f), m);
-        EXPECT_EQ(formulae::mask_subtract(m, 0.0f), m);
-        EXPECT_EQ(formulae::mask_lighten(m, 0.0f), m);
-        EXPECT_EQ(formulae::mask_darken(m, 1.0f), m);
-        EXPECT_EQ(formulae::mask_replace(m, 0.25f), 0.25f);
-        for (int entry = 0; entry <= 255; entry += 5) {
-            EXPECT_EQ(formulae::mask_add(m, byte(entry)), std::min(m + byte(entry), 1.0f));
-            EXPECT_EQ(formulae::mask_subtract(m, byte(entry)), std::max(m - byte(entry), 0.0f));
-        }
-    }
-}
-
 formulae::Ramp three_stops() {
     formulae::Ramp ramp = {};
     ramp.count = 3;

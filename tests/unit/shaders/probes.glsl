@@ -124,9 +124,9 @@ Real4 probe_surface(int which, Real4 a, Real4 b) {
                      levels(a.y, 0.1f, 0.8f, 2.2f, 1.0f, 0.2f), contrasted(a.z, 0.5f, 0.25f),
                      contrasted(inverted(a.w), -0.5f, 0.75f));
     if (which == 6)
-        return Real4(mask_add(a.x, b.x), mask_subtract(a.x, b.x),
-                     mask_lighten(a.y, mask_multiply(a.x, b.x)),
-                     mask_darken(a.y, mask_replace(a.x, b.x)));
+        return Real4(blend_add(a.x, b.x), blend_subtract(a.x, b.x),
+                     blend_lighten(a.y, blend_multiply(a.x, b.x)),
+                     blend_darken(a.y, blend_normal(a.x, b.x)));
     return Real4(ramp_color(probe_ramp(), a.x), ramp_scalar(probe_ramp(), b.x));
 }
 

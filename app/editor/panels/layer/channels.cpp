@@ -114,10 +114,10 @@ Requests draw_channel_row(Ui& ui, Rect& rest, Channel channel, const LayerSubjec
         else
             requests.append(draw_channel_value(ui, columns.value, edited, subject, view));
         if (subject.wide) {
-            const auto mode = blend_combo(
+            const auto mode = channel_blend_combo(
                 ui, columns.blend,
-                {.label = "Channel blend", .tooltip = info(Parameter::ChannelMode).tooltip},
-                info(channel).kind, effective_blend_mode(layer, channel));
+                {.label = "Channel blend", .tooltip = info(Parameter::ChannelMode).tooltip}, layer,
+                channel);
             if (mode) requests.edit(set_channel_mode(subject.material, layer, channel, *mode));
         }
         const auto opacity =

@@ -57,7 +57,7 @@ Requests draw_head(Ui& ui, Rect& rest, const LayerSubject& subject) {
     line_box.cut_left(ui.px(4));
     const auto mode = blend_combo(
         ui, mode_box, {.label = "Blend mode", .tooltip = info(Parameter::LayerMode).tooltip},
-        ChannelKind::Color, layer.mode, layer.is_group() ? BlendOf::Group : BlendOf::Channel);
+        ChannelKind::Color, layer.mode, blend_of(layer));
     if (mode) requests.edit(set_layer_mode(subject.material, layer, *mode));
     const auto opacity = number_field(ui, line_box, number_spec(Parameter::LayerOpacity),
                                       static_cast<double>(layer.opacity));
@@ -103,7 +103,7 @@ Requests draw_layer_tab(Ui& ui, const Rect& rect, const Shown& shown, ViewState&
     {
         const Faded locked(ui, shown.layer->locked, 200);
         requests.append(draw_head(ui, rest, subject));
-        requests.append(draw_adjustment(ui, rest, subject.material, subject.layer));
+        requests.append(draw_adjustment(ui, rest, subject.material, subject.layer, view));
         requests.append(draw_channels(ui, rest, subject, view));
         requests.append(draw_mask(ui, rest, subject, view));
         requests.append(draw_uv(ui, rest, subject, view));

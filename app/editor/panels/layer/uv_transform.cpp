@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "document/edits.h"
 #include "editor/panels/layer/parts.h"
+#include "editor/panels/placement_fields.h"
 #include "editor/widgets/buttons.h"
-#include "editor/widgets/combo.h"
-#include "editor/widgets/form.h"
 #include "editor/widgets/number_text.h"
-#include "editor/widgets/slider.h"
 
 namespace patina::editor {
 namespace {
-
-const UvTransform* transform_of(const Source& source) {
-    if (const auto* image = std::get_if<ImageSource>(&source)) return &image->transform;
-    if (const auto* procedural = std::get_if<ProceduralSource>(&source))
-        return &procedural->transform;
-    return nullptr;
-}
 
 /// The channel whose transform is shown: the open one, else the first that has one.
 std::optional<Channel> transformed_channel(const Layer& layer, const ViewState& view) {
@@ -54,57 +45,40 @@ void draw_uv_preview(Ui& ui, const Rect& rect, const LayerSubject& subject, Chan
     for (const ImVec2& corner : corners) disc(ui, corner.x, corner.y, 3.5f, theme::kText);
 }
 
-std::optional<glm::vec2> pair_fields(Ui& ui, Rect line_box, Parameter parameter,
-                                     const glm::vec2& value, bool* linked) {
-    NumberSpec first = number_spec(parameter);
-    first.level = false;
-    first.drag_per_pixel = first.step * 0.1;
-    NumberSpec second = first;
-    const std::string second_label = std::string(first.label) + " down";
-    second.label = second_label;
-    second.shown_label = {};
-    const Rect last = line_box.cut_right(ui.px(56));
-    const Rect middle = line_box.cut_right(ui.px(26));
-    if (linked != nullptr &&
-        icon_button(
-            ui, middle,
-            {.icon = icon::kLink, .label = "Keep both scales together", .on = *linked, .size = 12}))
-        *linked = !*linked;
-    glm::vec2 changed = value;
-    if (const auto x = number_field(ui, line_box, first, static_cast<double>(value.x))) {
-        changed.x = static_cast<float>(*x);
-        if (linked != nullptr && *linked) changed.y = changed.x;
+/// The channel that is shown and those that move with it: all that lie as it does, on or off.
+std::vector<PlacedSource> moved_sources(const LayerSubject& subject, Channel shown, bool linked) {
+    const Source& source = at(subject.layer.channels, shown).source;
+    std::vector<PlacedSource> sources = {
+        {source_place(subject.material, subject.layer, shown), &source}};
+    if (!linked) return sources;
+    for (const ChannelInfo& row : kChannels) {
+        const Source& other = at(subject.layer.channels, row.channel).source;
+        if (row.channel != shown && lie_alike(source, other))
+            sources.push_back({source_place(subject.material, subject.layer, row.channel), &other});
     }
-    if (const auto y = number_field(ui, last, second, static_cast<double>(value.y))) {
-        changed.y = static_cast<float>(*y);
-        if (linked != nullptr && *linked) changed.x = changed.y;
-    }
-    if (changed == value) return std::nullopt;
-    return changed;
+    return sources;
 }
 
-Requests draw_uv_fields(Ui& ui, Rect column, const SourcePlace& place, const Source& source,
-                        ViewState& view) {
+/// The switch that links channels which lie alike, where there are some, and the reset.
+Requests draw_head_buttons(Ui& ui, Rect& head, const std::vector<PlacedSource>& linked,
+                           const std::vector<PlacedSource>& moved, ViewState& view) {
     Requests requests;
-    const UvTransform& transform = *transform_of(source);
-    if (const auto* image = std::get_if<ImageSource>(&source)) {
-        constexpr std::array<ComboItem, 2> kSets = {ComboItem{.label = "UV 0"},
-                                                    ComboItem{.label = "UV 1"}};
-        const auto set = combo(ui, next_line(ui, column),
-                               {.label = "UV set", .tooltip = info(Parameter::ImageUvSet).tooltip},
-                               kSets, image->uv_set);
-        if (set) requests.edit(set_image_uv_set(place, *set));
-    }
-    if (const auto scale = pair_fields(ui, next_line(ui, column), Parameter::UvScale,
-                                       transform.scale, &view.unfolded.uv_scale_linked))
-        requests.edit(set_uv_scale(place, *scale));
-    if (const auto offset =
-            pair_fields(ui, next_line(ui, column), Parameter::UvOffset, transform.offset, nullptr))
-        requests.edit(set_uv_offset(place, *offset));
-    const auto rotation =
-        number_field(ui, next_line(ui, column), number_spec(Parameter::UvRotation),
-                     static_cast<double>(transform.rotation_degrees));
-    if (rotation) requests.edit(set_uv_rotation(place, static_cast<float>(*rotation)));
+    head.cut_right(ui.px(6));
+    if (icon_button(ui, head.cut_right(ui.px(26)),
+                    {.icon = icon::kReset,
+                     .label = "Reset UV transform",
+                     .enabled = *transform_of(*moved.front().source) != UvTransform{}}))
+        requests.edit(reset_transform(moved));
+    bool& on = view.unfolded.uv_channels_linked;
+    if (linked.size() > 1 &&
+        icon_button(ui, head.cut_right(ui.px(26)),
+                    {.icon = icon::kLink,
+                     .label = "Link channels",
+                     .tooltip = fmt::format("{} channels of the layer lie alike: on, they are "
+                                            "moved together in one step",
+                                            linked.size()),
+                     .on = on}))
+        on = !on;
     return requests;
 }
 
@@ -115,38 +89,37 @@ Requests draw_uv(Ui& ui, Rect& rest, const LayerSubject& subject, ViewState& vie
     const std::optional<Channel> channel = transformed_channel(subject.layer, view);
     if (!channel) return requests;
     const Place place_name(ui, "UV transform");
-    const Source& source = at(subject.layer.channels, *channel).source;
-    const UvTransform& transform = *transform_of(source);
-    const SourcePlace place = source_place(subject.material, subject.layer, *channel);
+    const std::vector<PlacedSource> linked = moved_sources(subject, *channel, true);
+    const std::vector<PlacedSource> moved =
+        moved_sources(subject, *channel, view.unfolded.uv_channels_linked);
+    const UvTransform& transform = *transform_of(*moved.front().source);
     Rect head = rest.cut_top(ui.px(theme::kPanelTitle));
     hairline(ui, head);
-    if (view.unfolded.uv) {
-        head.cut_right(ui.px(6));
-        if (icon_button(ui, head.cut_right(ui.px(26)),
-                        {.icon = icon::kReset,
-                         .label = "Reset UV transform",
-                         .enabled = transform != UvTransform{}}))
-            requests.edit(set_uv_transform(place, {}));
-    }
+    if (view.unfolded.uv) requests.append(draw_head_buttons(ui, head, linked, moved, view));
     const std::string summary =
         fmt::format("{} \u00d7 {}, {}", number_text(static_cast<double>(transform.scale.x)),
                     number_text(static_cast<double>(transform.scale.y)),
                     number_text(static_cast<double>(transform.rotation_degrees),
                                 {.decimals = 1, .unit = "\u00b0"}));
-    if (section(ui, head,
-                {.title = "UV transform",
-                 .count = info(*channel).label,
-                 .summary = summary,
-                 .open = view.unfolded.uv}))
+    std::string of(info(*channel).label);
+    if (moved.size() > 1) of += fmt::format(" and {} more", moved.size() - 1);
+    if (section(
+            ui, head,
+            {.title = "UV transform", .count = of, .summary = summary, .open = view.unfolded.uv}))
         view.unfolded.uv = !view.unfolded.uv;
     if (!view.unfolded.uv) return requests;
-    Rect box = rest.cut_top(ui.px(108)).inset(ui.px(12), 0);
-    if (subject.wide) {
-        draw_uv_preview(ui, box.cut_left(ui.px(108)), subject, *channel, transform);
-        box.cut_left(ui.px(12));
-    }
-    requests.append(draw_uv_fields(ui, box, place, source, view));
-    rest.cut_top(ui.px(12));
+    Rect fields = rest.inset(ui.px(12), 0);
+    const float top = fields.y0;
+    requests.append(draw_projection(ui, fields, moved));
+    const Rect below = fields;
+    if (subject.wide) fields.cut_left(ui.px(120));
+    requests.append(draw_transform(ui, fields, moved, view.unfolded.uv_scale_linked));
+    if (subject.wide)
+        draw_uv_preview(ui, {below.x0, below.y0, below.x0 + ui.px(108), below.y0 + ui.px(108)},
+                        subject, *channel, transform);
+    // The preview is as high as the four lines of an image; a procedural has three.
+    const float least = subject.wide ? below.y0 + ui.px(112) : fields.y0;
+    rest.cut_top(std::max(fields.y0, least) - top + ui.px(8));
     return requests;
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "editor/panels/viewport/parts.h"
@@ -36,6 +39,22 @@ void fov_field(Ui& ui, const Rect& rect, render::Camera& camera) {
     if (changed) camera = render::with_fov(camera, static_cast<float>(*changed));
 }
 
+/// More than these would leave the window.
+constexpr std::size_t kMostCameras = 12;
+
+/// Goes to where a camera of the file stands.
+void file_cameras(PopupMenu& menu, const Scene& scene, render::Camera& camera) {
+    if (scene.cameras.empty()) return;
+    menu.heading("Cameras of the file");
+    for (std::size_t i = 0; i < std::min(scene.cameras.size(), kMostCameras); ++i) {
+        const SceneCamera& of_file = scene.cameras[i];
+        const std::string name = of_file.name.empty() ? fmt::format("Camera {}", i)
+                                                      : quoted_for_message(of_file.name, 40);
+        if (menu.item({.label = name, .tooltip = "Looks as this camera of the file does"}))
+            camera = render::camera_of(of_file, scene.bounds_world);
+    }
+}
+
 }  // namespace
 
 Requests draw_camera_menu(Ui& ui, const Rect& anchor, const Shown& shown, render::Camera& camera) {
@@ -56,6 +75,7 @@ Requests draw_camera_menu(Ui& ui, const Rect& anchor, const Shown& shown, render
             requests.ask(row.action);
     }
     fov_field(ui, menu.field_row(), camera);
+    if (shown.document != nullptr) file_cameras(menu, *shown.document->scene, camera);
     return requests;
 }
 

@@ -19,7 +19,8 @@ void draw_part_note(Ui& ui, const Rect& rect, const Shown& shown, ViewState& sta
 
 void draw_divider(Ui& ui, const Rect& rect, render::View& view);
 Requests draw_tools(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
-/// The popup "camera menu", where it is open: directions to look from, projection, field of view.
+/// The popup "camera menu", where it is open: directions to look from, projection, field of view,
+/// cameras of the file.
 Requests draw_camera_menu(Ui& ui, const Rect& anchor, const Shown& shown, render::Camera& camera);
 /// The world's axes as the camera sees them; the nearest is drawn last. A click on one looks along
 /// it, a second click from the other side.

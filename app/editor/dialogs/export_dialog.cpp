@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "editor/dialogs/export_dialog.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "document/material.h"
+#include "editor/dialogs/modal.h"
+#include "editor/widgets/buttons.h"
+#include "editor/widgets/combo.h"
+#include "editor/widgets/form.h"
+
+namespace patina::editor {
+namespace {
+
+/// One of several values behind a label; what is chosen is stored.
+template <typename Value>
+void choose(Ui& ui, Rect& rest, std::string_view label, std::string_view tooltip,
+            const std::vector<std::pair<std::string, Value>>& choices, Value& value) {
+    Rect row = next_line(ui, rest);
+    text(ui, row.cut_left(ui.px(96)), ui.fonts.value12, theme::kText2, label);
+    std::vector<ComboItem> items;
+    int chosen = -1;
+    for (const auto& [name, each] : choices) {
+        if (each == value) chosen = static_cast<int>(items.size());
+        items.push_back({.label = name});
+    }
+    const auto picked = combo(ui, row, {.label = label, .tooltip = tooltip}, items, chosen);
+    if (picked) value = choices[static_cast<std::size_t>(*picked)].second;
+}
+
+}  // namespace
+
+void ExportDialog::open(std::function<void(const io::MapExportOptions&)> chosen) {
+    chosen_ = std::move(chosen);
+}
+
+void ExportDialog::draw_choices(Ui& ui, Rect& rest) {
+    std::vector<std::pair<std::string, const io::MapPacking*>> packings;
+    for (const io::MapPacking& row : io::map_packings())
+        packings.emplace_back(std::string(row.id), &row);
+    choose(ui, rest, "Packing", "What goes into which file", packings, options_.packing);
+    std::vector<std::pair<std::string, io::ImageFormat>> formats;
+    for (const io::ImageFormatInfo& row : io::kImageFormats)
+        formats.emplace_back(std::string(row.id), row.format);
+    choose(ui, rest, "Format", "Of the files: png, tif or exr", formats, options_.format);
+    using Number = std::optional<int>;
+    std::vector<std::pair<std::string, Number>> bits = {
+        {options_.format == io::ImageFormat::Exr ? "Usual (16)" : "Usual (8)", std::nullopt}};
+    for (const int each : {8, 16, 32}) {
+        io::MapExportOptions with = options_;
+        with.bits = each;
+        if (io::check_map_options(with)) bits.emplace_back(fmt::format("{}", each), each);
+    }
+    choose(ui, rest, "Bits", "Of each channel; 32 are floats", bits, options_.bits);
+    std::vector<std::pair<std::string, Number>> sizes = {{"As each material says", std::nullopt}};
+    for (int size = kMinResolution; size <= kMaxResolution; size *= 2)
+        sizes.emplace_back(fmt::format("{} px", size), size);
+    choose(ui, rest, "Size", "Side of the maps", sizes, options_.size);
+}
+
+void ExportDialog::draw(Ui& ui) {
+    if (!is_open()) return;
+    const Modal modal(ui, {"Export maps", 460, 262}, [this] { return is_open(); });
+    Rect rest = modal.content().inset(ui.px(20), ui.px(16));
+    text(ui, rest.cut_top(ui.px(24)), ui.fonts.name15, theme::kText, "Export maps");
+    rest.cut_top(ui.px(8));
+    draw_choices(ui, rest);
+    Rect buttons = rest.cut_bottom(ui.px(26));
+    const Status good = io::check_map_options(options_);
+    rest.cut_top(ui.px(4));
+    paragraph(ui, rest, ui.fonts.caption11, good ? theme::kText3 : theme::kError,
+              good ? options_.packing->description : std::string_view(good.error().message));
+    const auto button = [&](const TextButton& spec) {
+        const bool clicked = text_button(ui, buttons.cut_right(text_button_width(ui, spec)), spec);
+        buttons.cut_right(ui.px(6));
+        return clicked;
+    };
+    const bool accepted =
+        button({.label = "Choose a folder\u2026", .main = true, .enabled = good.has_value()});
+    const bool cancelled = button({.label = "Cancel"});
+    if (!accepted && !cancelled && !modal.dismissed()) return;
+    const auto chosen = std::exchange(chosen_, nullptr);
+    if (accepted) chosen(options_);
+}
+
+}  // namespace patina::editor
