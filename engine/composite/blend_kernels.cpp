@@ -2,6 +2,7 @@
 #include "composite/blend_kernels.h"
 
 #include "composite/kernel_targets.h"
+#include "composite/scalar_modes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/blend_kernels.cpp"
@@ -186,30 +187,7 @@ HWY_NOINLINE HWY_FLATTEN void blend_replacing(const BlendTask& task) {
         }                                                    \
     };
 PATINA_SEPARABLE_MODE(NormalMode, blend_normal)
-PATINA_SEPARABLE_MODE(Darken, blend_darken)
-PATINA_SEPARABLE_MODE(Multiply, blend_multiply)
-PATINA_SEPARABLE_MODE(ColorBurn, blend_color_burn)
-PATINA_SEPARABLE_MODE(LinearBurn, blend_linear_burn)
-PATINA_SEPARABLE_MODE(Lighten, blend_lighten)
-PATINA_SEPARABLE_MODE(Screen, blend_screen)
-PATINA_SEPARABLE_MODE(ColorDodge, blend_color_dodge)
-PATINA_SEPARABLE_MODE(Add, blend_add)
-PATINA_SEPARABLE_MODE(Overlay, blend_overlay)
-PATINA_SEPARABLE_MODE(SoftLightW3c, blend_soft_light_w3c)
-PATINA_SEPARABLE_MODE(SoftLightPegtop, blend_soft_light_pegtop)
-PATINA_SEPARABLE_MODE(HardLight, blend_hard_light)
-PATINA_SEPARABLE_MODE(VividLight, blend_vivid_light)
-PATINA_SEPARABLE_MODE(LinearLight, blend_linear_light)
-PATINA_SEPARABLE_MODE(PinLight, blend_pin_light)
-PATINA_SEPARABLE_MODE(HardMix, blend_hard_mix)
-PATINA_SEPARABLE_MODE(Difference, blend_difference)
-PATINA_SEPARABLE_MODE(Exclusion, blend_exclusion)
-PATINA_SEPARABLE_MODE(Subtract, blend_subtract)
-PATINA_SEPARABLE_MODE(InverseSubtract, blend_inverse_subtract)
-PATINA_SEPARABLE_MODE(Divide, blend_divide)
-PATINA_SEPARABLE_MODE(InverseDivide, blend_inverse_divide)
-PATINA_SEPARABLE_MODE(SignedAdd, blend_signed_add)
-PATINA_SEPARABLE_MODE(Average, blend_average)
+PATINA_SCALAR_MODES(PATINA_SEPARABLE_MODE)
 PATINA_SEPARABLE_MODE(HeightAdd, height_add)
 PATINA_SEPARABLE_MODE(HeightMax, height_max)
 PATINA_SEPARABLE_MODE(HeightMin, height_min)
@@ -269,54 +247,11 @@ void blend_by_mode(const BlendTask& task) {
         case BlendMode::PassThrough:  // its layers are on the accumulator already: they replace it
         case BlendMode::Replace:
             return blend_replacing(task);
-        case BlendMode::Darken:
-            return blend_separable<Darken>(task);
-        case BlendMode::Multiply:
-            return blend_separable<Multiply>(task);
-        case BlendMode::ColorBurn:
-            return blend_separable<ColorBurn>(task);
-        case BlendMode::LinearBurn:
-            return blend_separable<LinearBurn>(task);
-        case BlendMode::Lighten:
-            return blend_separable<Lighten>(task);
-        case BlendMode::Screen:
-            return blend_separable<Screen>(task);
-        case BlendMode::ColorDodge:
-            return blend_separable<ColorDodge>(task);
-        case BlendMode::Add:
-            return blend_separable<Add>(task);
-        case BlendMode::Overlay:
-            return blend_separable<Overlay>(task);
-        case BlendMode::SoftLightW3c:
-            return blend_separable<SoftLightW3c>(task);
-        case BlendMode::SoftLightPegtop:
-            return blend_separable<SoftLightPegtop>(task);
-        case BlendMode::HardLight:
-            return blend_separable<HardLight>(task);
-        case BlendMode::VividLight:
-            return blend_separable<VividLight>(task);
-        case BlendMode::LinearLight:
-            return blend_separable<LinearLight>(task);
-        case BlendMode::PinLight:
-            return blend_separable<PinLight>(task);
-        case BlendMode::HardMix:
-            return blend_separable<HardMix>(task);
-        case BlendMode::Difference:
-            return blend_separable<Difference>(task);
-        case BlendMode::Exclusion:
-            return blend_separable<Exclusion>(task);
-        case BlendMode::Subtract:
-            return blend_separable<Subtract>(task);
-        case BlendMode::InverseSubtract:
-            return blend_separable<InverseSubtract>(task);
-        case BlendMode::Divide:
-            return blend_separable<Divide>(task);
-        case BlendMode::InverseDivide:
-            return blend_separable<InverseDivide>(task);
-        case BlendMode::SignedAdd:
-            return blend_separable<SignedAdd>(task);
-        case BlendMode::Average:
-            return blend_separable<Average>(task);
+#define PATINA_BLEND_CASE(NAME, FORMULA) \
+    case BlendMode::NAME:                \
+        return blend_separable<NAME>(task);
+            PATINA_SCALAR_MODES(PATINA_BLEND_CASE)
+#undef PATINA_BLEND_CASE
         case BlendMode::HueW3c:
             return blend_colors<HueW3c>(task);
         case BlendMode::SaturationW3c:

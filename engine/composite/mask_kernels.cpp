@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "composite/mask_kernels.h"
 
-#include <algorithm>
-#include <array>
-
 #include "composite/kernel_targets.h"
+#include "composite/scalar_modes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "composite/mask_kernels.cpp"
@@ -67,59 +65,34 @@ HWY_NOINLINE HWY_FLATTEN TileBlocks join(const MaskTask task, const Source from)
 /// Nothing lies below: the entry is the mask.
 struct First {
     static constexpr bool kKeepsZero = false;
+    static constexpr bool kReadsStored = true;
     static HWY_INLINE Real joined(const float*, Real entry, float) { return entry; }
 };
 
 #define PATINA_COMBINE(NAME, FORMULA)                                                 \
     struct NAME {                                                                     \
         static constexpr bool kKeepsZero = BlendMode::NAME == BlendMode::Multiply;    \
+        static constexpr bool kReadsStored = reads_stored(BlendMode::NAME);           \
         static HWY_INLINE Real joined(const float* mask, Real entry, float opacity) { \
             const Real below = load(mask);                                            \
             return mix(below, formulae::FORMULA(below, entry), opacity);              \
         }                                                                             \
     };
 PATINA_COMBINE(Replace, blend_normal)
-PATINA_COMBINE(Multiply, blend_multiply)
-PATINA_COMBINE(Add, blend_add)
-PATINA_COMBINE(Subtract, blend_subtract)
-PATINA_COMBINE(Lighten, blend_lighten)
-PATINA_COMBINE(Darken, blend_darken)
-PATINA_COMBINE(ColorBurn, blend_color_burn)
-PATINA_COMBINE(LinearBurn, blend_linear_burn)
-PATINA_COMBINE(Screen, blend_screen)
-PATINA_COMBINE(ColorDodge, blend_color_dodge)
-PATINA_COMBINE(Overlay, blend_overlay)
-PATINA_COMBINE(SoftLightW3c, blend_soft_light_w3c)
-PATINA_COMBINE(SoftLightPegtop, blend_soft_light_pegtop)
-PATINA_COMBINE(HardLight, blend_hard_light)
-PATINA_COMBINE(VividLight, blend_vivid_light)
-PATINA_COMBINE(LinearLight, blend_linear_light)
-PATINA_COMBINE(PinLight, blend_pin_light)
-PATINA_COMBINE(HardMix, blend_hard_mix)
-PATINA_COMBINE(Difference, blend_difference)
-PATINA_COMBINE(Exclusion, blend_exclusion)
-PATINA_COMBINE(InverseSubtract, blend_inverse_subtract)
-PATINA_COMBINE(Divide, blend_divide)
-PATINA_COMBINE(InverseDivide, blend_inverse_divide)
-PATINA_COMBINE(SignedAdd, blend_signed_add)
-PATINA_COMBINE(Average, blend_average)
+PATINA_SCALAR_MODES(PATINA_COMBINE)
 #undef PATINA_COMBINE
 
-/// Of the modes that masks are mostly joined by: texels are read as they are stored.
 template <class Combine>
 TileBlocks join_source(const MaskTask& task) {
     const StoredTexels& stored = task.stored;
-    if (stored.texels == nullptr) return join<Combine>(task, PlaneReader<1>(&task.source));
-    if (stored.channels == 1)
-        return join<Combine>(
-            task, TexelReader<std::uint8_t, 1, 0, 1>(stored.texels, stored.row_bytes, task.count));
-    return join<Combine>(
-        task, TexelReader<std::uint8_t, 4, 3, 1>(stored.texels, stored.row_bytes, task.count));
-}
-
-/// Of all others: one loop each.
-template <class Combine>
-TileBlocks join_plane(const MaskTask& task) {
+    if constexpr (Combine::kReadsStored) {
+        if (stored.texels != nullptr && stored.channels == 1)
+            return join<Combine>(task, TexelReader<std::uint8_t, 1, 0, 1>(
+                                           stored.texels, stored.row_bytes, task.count));
+        if (stored.texels != nullptr)
+            return join<Combine>(task, TexelReader<std::uint8_t, 4, 3, 1>(
+                                           stored.texels, stored.row_bytes, task.count));
+    }
     return join<Combine>(task, PlaneReader<1>(&task.source));
 }
 
@@ -128,75 +101,14 @@ TileBlocks join_by_combine(const MaskTask& task) {
     switch (task.combine) {
         case BlendMode::Replace:
             return join_source<Replace>(task);
-        case BlendMode::Multiply:
-            return join_source<Multiply>(task);
-        case BlendMode::Add:
-            return join_source<Add>(task);
-        case BlendMode::Subtract:
-            return join_source<Subtract>(task);
-        case BlendMode::Lighten:
-            return join_source<Lighten>(task);
-        case BlendMode::Darken:
-            return join_source<Darken>(task);
-        case BlendMode::ColorBurn:
-            return join_plane<ColorBurn>(task);
-        case BlendMode::LinearBurn:
-            return join_plane<LinearBurn>(task);
-        case BlendMode::Screen:
-            return join_plane<Screen>(task);
-        case BlendMode::ColorDodge:
-            return join_plane<ColorDodge>(task);
-        case BlendMode::Overlay:
-            return join_plane<Overlay>(task);
-        case BlendMode::SoftLightW3c:
-            return join_plane<SoftLightW3c>(task);
-        case BlendMode::SoftLightPegtop:
-            return join_plane<SoftLightPegtop>(task);
-        case BlendMode::HardLight:
-            return join_plane<HardLight>(task);
-        case BlendMode::VividLight:
-            return join_plane<VividLight>(task);
-        case BlendMode::LinearLight:
-            return join_plane<LinearLight>(task);
-        case BlendMode::PinLight:
-            return join_plane<PinLight>(task);
-        case BlendMode::HardMix:
-            return join_plane<HardMix>(task);
-        case BlendMode::Difference:
-            return join_plane<Difference>(task);
-        case BlendMode::Exclusion:
-            return join_plane<Exclusion>(task);
-        case BlendMode::InverseSubtract:
-            return join_plane<InverseSubtract>(task);
-        case BlendMode::Divide:
-            return join_plane<Divide>(task);
-        case BlendMode::InverseDivide:
-            return join_plane<InverseDivide>(task);
-        case BlendMode::SignedAdd:
-            return join_plane<SignedAdd>(task);
-        case BlendMode::Average:
-            return join_plane<Average>(task);
-        case BlendMode::Normal:
-        case BlendMode::HueW3c:
-        case BlendMode::SaturationW3c:
-        case BlendMode::ColorW3c:
-        case BlendMode::LuminosityW3c:
-        case BlendMode::TintHsv:
-        case BlendMode::SaturationHsv:
-        case BlendMode::ColorHsv:
-        case BlendMode::ValueHsv:
-        case BlendMode::NormalRnm:
-        case BlendMode::NormalUdn:
-        case BlendMode::NormalWhiteout:
-        case BlendMode::NormalPartial:
-        case BlendMode::HeightAdd:
-        case BlendMode::HeightMax:
-        case BlendMode::HeightMin:
-        case BlendMode::HeightSubtract:
-        case BlendMode::PassThrough:
-            break;  // these join no masks
+#define PATINA_JOIN_CASE(NAME, FORMULA) \
+    case BlendMode::NAME:               \
+        return join_source<NAME>(task);
+            PATINA_SCALAR_MODES(PATINA_JOIN_CASE)
+#undef PATINA_JOIN_CASE
+        default:
+            return all_blocks(task.count);  // these join no masks
     }
-    return all_blocks(task.count);
 }
 
 HWY_FLATTEN void share_by_height(const HeightShareTask& task) {
@@ -237,10 +149,7 @@ TileBlocks join_mask_tile(const MaskTask& task) {
 }
 
 bool mask_reads_stored(BlendMode combine, const StoredTexels& texels) {
-    constexpr std::array kModes = {BlendMode::Replace,  BlendMode::Multiply, BlendMode::Add,
-                                   BlendMode::Subtract, BlendMode::Lighten,  BlendMode::Darken};
-    if (texels.decode || std::find(kModes.begin(), kModes.end(), combine) == kModes.end())
-        return false;
+    if (texels.decode || !reads_stored(combine)) return false;
     return texels.channels == 1 || (texels.channels == 4 && texels.first == 3);
 }
 

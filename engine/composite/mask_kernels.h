@@ -24,6 +24,13 @@ struct MaskTask {
 /// Joins one entry to the mask. Returns the blocks outside of which it is 0.
 TileBlocks join_mask_tile(const MaskTask& task);
 
+/// Whether texels are joined as they are stored: by the modes that masks mostly have, for which
+/// there are loops of their own.
+constexpr bool reads_stored(BlendMode combine) {
+    return combine == BlendMode::Replace || combine == BlendMode::Multiply ||
+           combine == BlendMode::Add || combine == BlendMode::Subtract ||
+           combine == BlendMode::Lighten || combine == BlendMode::Darken;
+}
 /// Whether join_mask_tile reads such texels by itself.
 bool mask_reads_stored(BlendMode combine, const StoredTexels& texels);
 
