@@ -431,19 +431,6 @@ void pattern_run(ProceduralKind kind, const Pattern& pattern, const Places& at, 
     }
 }
 
-Pattern pattern_of(const ProceduralTask& task) {
-    return {static_cast<int>(task.kind),
-            task.columns,
-            task.rows,
-            task.seed,
-            task.octaves,
-            task.width,
-            task.softness,
-            task.variation,
-            task.warp,
-            task.footprint};
-}
-
 /// The pattern, before contrast and ramp.
 void show_pattern(const ProceduralTask& task, const Pattern& pattern, float* plane) {
     Places places;
@@ -488,7 +475,7 @@ HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, const Show
 }
 
 void run(const ProceduralTask& task, float* const* planes) {
-    const Pattern pattern = pattern_of(task);
+    const auto pattern = pattern_of<Pattern>(task);
     const Shown shown = formulae::pattern_shown(pattern);
     show_pattern(task, pattern, planes[0]);
     task.scalar ? scalar_ramp(task, shown, planes[0]) : vector_ramp(task, shown, planes);

@@ -46,6 +46,21 @@ struct ProceduralTask {
     bool encode = false;     ///< colours become sRGB-encoded
     bool normalise = false;  ///< normals become unit vectors
 };
+/// The pattern of a task: a formulae::Pattern, of which there is one for each width of lanes.
+template <class Pattern>
+Pattern pattern_of(const ProceduralTask& task) {
+    return {static_cast<int>(task.kind),
+            task.columns,
+            task.rows,
+            task.seed,
+            task.octaves,
+            task.width,
+            task.softness,
+            task.variation,
+            task.warp,
+            task.footprint};
+}
+
 void run_procedural(const ProceduralTask& task, float* const planes[3]);
 
 }  // namespace patina

@@ -36,26 +36,13 @@ ProceduralTask run_of(ProceduralKind kind, int size) {
             .mean = {0.4f}};
 }
 
-formulae::Pattern pattern_of(const ProceduralTask& task) {
-    return {static_cast<int>(task.kind),
-            task.columns,
-            task.rows,
-            task.seed,
-            task.octaves,
-            task.width,
-            task.softness,
-            task.variation,
-            task.warp,
-            task.footprint};
-}
-
 /// The same by the text, for one place.
 float expected(const ProceduralTask& task, float u, float v) {
     formulae::Ramp ramp = {};
     ramp.count = task.stop_count;
     for (int stop = 0; stop < task.stop_count; ++stop)
         ramp.stops[stop] = {task.stop_positions[stop], task.stop_values[stop][0], 0.0f, 0.0f};
-    const formulae::Pattern pattern = pattern_of(task);
+    const auto pattern = pattern_of<formulae::Pattern>(task);
     const formulae::Shown shown = formulae::pattern_shown(pattern);
     const float value = formulae::pattern_value(
         pattern, {u * static_cast<float>(task.columns), v * static_cast<float>(task.rows)});
