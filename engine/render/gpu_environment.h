@@ -44,8 +44,7 @@ glm::mat3 environment_from_world(float rotation_degrees);
 /// And back.
 glm::mat3 world_from_environment(float rotation_degrees);
 
-/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10, 13
-/// and 14.
+/// Sets what passes/environment.glsl reads. Takes texture units 8 to 10, 13 and 14.
 void bind_environment(gl::Pass& pass, gl::Program& program, const GpuEnvironment& environment,
                       const EnvironmentTables& tables, const gl::Sampler& linear, const View& view);
 

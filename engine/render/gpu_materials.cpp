@@ -153,7 +153,7 @@ GpuMaterials::GpuMaterials(gl::Texture white) : white_(std::move(white)) {
             for (const Filter filter : {Filter::Linear, Filter::Nearest})
                 samplers_.emplace(sampler_key(u, v, filter), make_sampler(u, v, filter));
     const SurfaceMaterial surface = plain_surface();
-    plain_.emplace(GpuMaterial{surface, {}, block_buffer(surface)});
+    plain_.emplace(GpuMaterial{surface, {}, samplers_of(surface), block_buffer(surface)});
 }
 
 Result<GpuMaterials> GpuMaterials::make() {
@@ -215,12 +215,14 @@ Status GpuMaterials::set(int source_material, const SurfaceMaterial& surface,
         textures[i] = *texture;
     }
     if (!known) {
-        materials_.emplace(source_material,
-                           GpuMaterial{surface, std::move(textures), block_buffer(surface)});
+        materials_.emplace(
+            source_material,
+            GpuMaterial{surface, std::move(textures), samplers_of(surface), block_buffer(surface)});
     } else {
         const MaterialBlock block = material_block(surface);
         before->second.surface = surface;
         before->second.textures = std::move(textures);
+        before->second.samplers = samplers_of(surface);
         before->second.block.write(std::as_bytes(std::span(&block, 1)));
     }
     forget_unused();
@@ -254,18 +256,24 @@ std::size_t GpuMaterials::texture_bytes() const {
     return bytes;
 }
 
-const gl::Sampler& GpuMaterials::sampler_of(const SurfaceTexture& texture) const {
-    return samplers_.at(sampler_key(texture.wrap_u, texture.wrap_v, texture.filter));
+std::array<const gl::Sampler*, kTextureCount> GpuMaterials::samplers_of(
+    const SurfaceMaterial& surface) const {
+    const auto slots = slots_of(surface);
+    std::array<const gl::Sampler*, kTextureCount> samplers;
+    std::transform(slots.begin(), slots.end(), samplers.begin(), [&](const SurfaceSlot& slot) {
+        const SurfaceTexture& texture = slot.texture;
+        return &samplers_.at(sampler_key(texture.wrap_u, texture.wrap_v, texture.filter));
+    });
+    return samplers;
 }
 
 void GpuMaterials::bind(gl::Pass& pass, gl::Program& program, const GpuMaterial& material) const {
     program.set_block("MaterialBlock", kMaterialBlockSlot);
     pass.bind_block(kMaterialBlockSlot, material.block);
-    const auto slots = slots_of(material.surface);
     for (std::size_t i = 0; i < material.textures.size(); ++i)
         pass.bind_texture(program, kSamplerNames[i], static_cast<int>(i),
                           material.textures[i] ? material.textures[i]->texture : white_,
-                          &sampler_of(slots[i].texture));
+                          material.samplers[i]);
 }
 
 }  // namespace patina::render

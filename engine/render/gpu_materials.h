@@ -31,8 +31,9 @@ inline constexpr std::size_t kTextureCount = kSlotCount + 2;
 
 struct GpuMaterial {
     SurfaceMaterial surface;
-    std::array<GpuTexturePtr, kTextureCount> textures;  ///< null where a slot has none
-    gl::Buffer block;                                   ///< `MaterialBlock` of passes/material.glsl
+    std::array<GpuTexturePtr, kTextureCount> textures;       ///< null where a slot has none
+    std::array<const gl::Sampler*, kTextureCount> samplers;  ///< of GpuMaterials
+    gl::Buffer block;  ///< `MaterialBlock` of passes/material.glsl
 };
 
 class GpuMaterials {
@@ -60,7 +61,7 @@ class GpuMaterials {
                                      const ImagePtr& pixels_before, int source_material,
                                      const std::optional<TexelRect>& changed);
     bool used_elsewhere(const ImagePtr& pixels, int source_material) const;
-    const gl::Sampler& sampler_of(const SurfaceTexture& texture) const;
+    std::array<const gl::Sampler*, kTextureCount> samplers_of(const SurfaceMaterial& surface) const;
     void forget_unused();
 
     gl::Texture white_;

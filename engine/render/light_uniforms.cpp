@@ -22,15 +22,15 @@ glm::vec3 towards_key(const View& view, const glm::vec3& environment_key) {
 
 /// What the floor has of the scene's shadow, where the scene or what of it casts one is another.
 Status ready_floor(RendererState& state) {
+    const std::vector<DrawItem>& items = state.scene->items;
     std::vector<std::size_t> casting;
-    std::vector<FloorCaster> casters;
-    for (std::size_t i = 0; i < state.scene->items.size(); ++i) {
-        const DrawItem& item = state.scene->items[i];
-        if (!belongs(state.materials.at(item.source_material), kShadowCasters)) continue;
-        casting.push_back(i);
-        casters.push_back({&primitive_of(*state.scene, item), item.world_from_local});
-    }
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (belongs(state.materials.at(items[i].source_material), kShadowCasters))
+            casting.push_back(i);
     if (state.shadow.casters == casting) return {};
+    std::vector<FloorCaster> casters;
+    for (const std::size_t i : casting)
+        casters.push_back({&primitive_of(*state.scene, items[i]), items[i].world_from_local});
     Result<GpuGroundShadow> made =
         upload_ground_shadow(ground_shadow(casters, state.scene->bounds_world));
     if (!made) return passed_on(made);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "composite/composite.h"
 #include "core/log.h"
