@@ -46,7 +46,7 @@ void ExportDialog::draw_choices(Ui& ui, Rect& rest) {
     std::vector<std::pair<std::string, io::ImageFormat>> formats;
     for (const io::ImageFormatInfo& row : io::kImageFormats)
         formats.emplace_back(std::string(row.id), row.format);
-    choose(ui, rest, "Format", "Of the files: png, tif or exr", formats, options_.format);
+    choose(ui, rest, "Format", "Of the files", formats, options_.format);
     using Number = std::optional<int>;
     std::vector<std::pair<std::string, Number>> bits = {
         {options_.format == io::ImageFormat::Exr ? "Usual (16)" : "Usual (8)", std::nullopt}};
@@ -74,14 +74,9 @@ void ExportDialog::draw(Ui& ui) {
     rest.cut_top(ui.px(4));
     paragraph(ui, rest, ui.fonts.caption11, good ? theme::kText3 : theme::kError,
               good ? options_.packing->description : std::string_view(good.error().message));
-    const auto button = [&](const TextButton& spec) {
-        const bool clicked = text_button(ui, buttons.cut_right(text_button_width(ui, spec)), spec);
-        buttons.cut_right(ui.px(6));
-        return clicked;
-    };
-    const bool accepted =
-        button({.label = "Choose a folder\u2026", .main = true, .enabled = good.has_value()});
-    const bool cancelled = button({.label = "Cancel"});
+    const bool accepted = dialog_button(
+        ui, buttons, {.label = "Choose a folder\u2026", .main = true, .enabled = good.has_value()});
+    const bool cancelled = dialog_button(ui, buttons, {.label = "Cancel"});
     if (!accepted && !cancelled && !modal.dismissed()) return;
     const auto chosen = std::exchange(chosen_, nullptr);
     if (accepted) chosen(options_);

@@ -175,12 +175,9 @@ void FileDialog::draw_buttons(Ui& ui, Rect row) {
     const TextButton go{.label = confirm_replace_ ? std::string_view("Replace")
                                                   : std::string_view(request_->button),
                         .main = true};
-    const TextButton cancel{.label = "Cancel"};
-    const float go_width = text_button_width(ui, go);
-    const bool accepted = text_button(ui, row.cut_right(go_width), go);
+    const bool accepted = dialog_button(ui, row, go);
+    const bool cancelled = dialog_button(ui, row, {.label = "Cancel"});
     row.cut_right(ui.px(6));
-    const bool cancelled = text_button(ui, row.cut_right(text_button_width(ui, cancel)), cancel);
-    row.cut_right(ui.px(12));
     if (!problem_.empty()) {
         icon_glyph(ui, row.cut_left(ui.px(16)), icon::kWarning, theme::kWarning, 13);
         row.cut_left(ui.px(6));

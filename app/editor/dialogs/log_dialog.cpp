@@ -17,13 +17,9 @@ void LogDialog::draw(Ui& ui, std::span<const LogLine> log) {
     rest.cut_bottom(ui.px(12));
     fill(ui, rest, theme::kPanel, 4);
     draw_log_lines(ui, rest.inset(0, ui.px(8)), log);
-    const TextButton close{.label = "Close", .main = true};
-    if (text_button(ui, buttons.cut_right(text_button_width(ui, close)), close) ||
-        modal.dismissed())
+    if (dialog_button(ui, buttons, {.label = "Close", .main = true}) || modal.dismissed())
         open_ = false;
-    buttons.cut_right(ui.px(6));
-    const TextButton copy{.label = "Copy", .enabled = !log.empty()};
-    if (!text_button(ui, buttons.cut_right(text_button_width(ui, copy)), copy)) return;
+    if (!dialog_button(ui, buttons, {.label = "Copy", .enabled = !log.empty()})) return;
     std::string all;
     for (const LogLine& each : log) all += each.text + '\n';
     ImGui::SetClipboardText(all.c_str());

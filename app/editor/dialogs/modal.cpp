@@ -46,4 +46,10 @@ bool Modal::dismissed() const {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }
 
+bool dialog_button(Ui& ui, Rect& row, const TextButton& button) {
+    const bool clicked = text_button(ui, row.cut_right(text_button_width(ui, button)), button);
+    row.cut_right(ui.px(6));
+    return clicked;
+}
+
 }  // namespace patina::editor

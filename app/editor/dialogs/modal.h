@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "editor/widgets/buttons.h"
 #include "editor/widgets/ui.h"
 
 namespace patina::editor {
@@ -31,5 +32,9 @@ class Modal {
     Rect content_;
     std::function<bool()> still_open_;
 };
+
+/// A button at the right end of `row`, of which it is cut off with the gap to the next one. Whether
+/// it was clicked.
+bool dialog_button(Ui& ui, Rect& row, const TextButton& button);
 
 }  // namespace patina::editor

@@ -64,15 +64,11 @@ std::optional<ApplyPreset> PresetDialog::draw(Ui& ui, const Shown& shown) {
     draw_knobs(ui, rest);
 
     std::optional<ApplyPreset> chosen;
-    const auto button = [&](const TextButton& spec) {
-        const bool clicked = text_button(ui, buttons.cut_right(text_button_width(ui, spec)), spec);
-        buttons.cut_right(ui.px(6));
-        return clicked;
-    };
-    if (button({.label = "Add above the layer", .main = true}))
+    if (dialog_button(ui, buttons, {.label = "Add above the layer", .main = true}))
         chosen = ApplyPreset{preset_->id, false, knobs_};
-    if (button({.label = "Replace the stack"})) chosen = ApplyPreset{preset_->id, true, knobs_};
-    const bool cancelled = button({.label = "Cancel"});
+    if (dialog_button(ui, buttons, {.label = "Replace the stack"}))
+        chosen = ApplyPreset{preset_->id, true, knobs_};
+    const bool cancelled = dialog_button(ui, buttons, {.label = "Cancel"});
     if (chosen || cancelled || modal.dismissed()) preset_.reset();
     return chosen;
 }

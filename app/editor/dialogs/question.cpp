@@ -51,12 +51,9 @@ void QuestionDialog::draw(Ui& ui) {
     std::function<void()> chosen;
     bool answered = false;
     for (const Question::Answer& answer : question_->answers) {
-        const TextButton button{.label = answer.label, .main = answer.main};
-        if (text_button(ui, buttons.cut_right(text_button_width(ui, button)), button)) {
-            chosen = answer.chosen;
-            answered = true;
-        }
-        buttons.cut_right(ui.px(6));
+        if (!dialog_button(ui, buttons, {.label = answer.label, .main = answer.main})) continue;
+        chosen = answer.chosen;
+        answered = true;
     }
     if (answered || modal.dismissed()) question_.reset();
     if (chosen) chosen();
@@ -75,9 +72,7 @@ void KeysDialog::draw(Ui& ui) {
         text(ui, line_box.cut_left(ui.px(170)), ui.fonts.medium12, theme::kText, row.key);
         text(ui, line_box, ui.fonts.value12, theme::kText2, row.what);
     }
-    const TextButton close{.label = "Close", .main = true};
-    if (text_button(ui, buttons.cut_right(text_button_width(ui, close)), close) ||
-        modal.dismissed())
+    if (dialog_button(ui, buttons, {.label = "Close", .main = true}) || modal.dismissed())
         open_ = false;
 }
 

@@ -58,14 +58,10 @@ std::optional<SavePreset> SavePresetDialog::draw(Ui& ui, const Shown& shown) {
               : known   ? "There is a preset of this name: if it is your own, it is replaced"
                         : "It goes into your own folder and appears in the shelf");
     std::optional<SavePreset> chosen;
-    const auto button = [&](const TextButton& spec) {
-        const bool clicked = text_button(ui, buttons.cut_right(text_button_width(ui, spec)), spec);
-        buttons.cut_right(ui.px(6));
-        return clicked;
-    };
-    if (button({.label = "Save", .main = true, .enabled = complete}) || (entered && complete))
+    if (dialog_button(ui, buttons, {.label = "Save", .main = true, .enabled = complete}) ||
+        (entered && complete))
         chosen = wanted_;
-    const bool cancelled = button({.label = "Cancel"});
+    const bool cancelled = dialog_button(ui, buttons, {.label = "Cancel"});
     if (chosen || cancelled || modal.dismissed()) open_ = false;
     return chosen;
 }
