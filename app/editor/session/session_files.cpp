@@ -199,6 +199,10 @@ void Session::save_view(const fs::path& path, const ViewState& state) {
     const bool linear = io::image_format_of(path) == io::ImageFormat::Exr;
     work->still = {
         .view = state.view, .size = still_size(), .samples = kStillSamples, .linear = linear};
+    // The studio's backdrop is painted for a screen and has no place in linear light.
+    render::Background& background = work->still.view.background;
+    if (linear && background.kind == render::Background::Kind::Studio)
+        background.kind = render::Background::Kind::Transparent;
     work->still.view.lights = document().lights;
     work->still.view.environment_rotation_degrees = document().environment.rotation_degrees;
     work->still.view.environment_intensity = document().environment.intensity;
