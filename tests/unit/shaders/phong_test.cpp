@@ -62,12 +62,20 @@ TEST(Phong, ExponentsFallAsRoughnessRisesAndStayInTheirRange) {
 
 TEST(Phong, SpecularColoursStayWithinZeroToOneAndKeepTheirHue) {
     const Real3 gold(1.0f, 0.77f, 0.34f);
-    const Real3 smooth = formulae::phong_specular_color(gold, 0.1f);
-    EXPECT_FLOAT_EQ(smooth.x, 1.0f);
-    EXPECT_FLOAT_EQ(smooth.y, 0.77f);
-    const Real3 rough = formulae::phong_specular_color(Real3(0.04f), 0.9f);
-    EXPECT_GT(rough.x, 0.04f);
-    EXPECT_LT(rough.x, 0.1f);
+    for (int i = 0; i <= 100; ++i) {
+        const float roughness = static_cast<float>(i) / 100.0f;
+        const Real3 color = formulae::phong_specular_color(gold, roughness);
+        ASSERT_GT(color.x, 0.0f) << roughness;
+        ASSERT_LE(color.x, 1.0f) << roughness;
+        ASSERT_NEAR(color.y / color.x, 0.77f, 1e-6f) << roughness;
+        ASSERT_NEAR(color.z / color.x, 0.34f, 1e-6f) << roughness;
+    }
+}
+
+TEST(Phong, ASmoothHighlightIsAsBrightAsAColourCanBeAndARoughOneIsDim) {
+    EXPECT_FLOAT_EQ(formulae::phong_specular_color(Real3(0.04f), 0.1f).x, 1.0f);
+    // The least exponent, 1, is Blinn's: a peak of (1 + 4) / 8.
+    EXPECT_FLOAT_EQ(formulae::phong_specular_color(Real3(0.04f), 1.0f).x, 0.04f * 5.0f / 8.0f);
 }
 
 TEST(Phong, AWideLobeReflectsNoMoreThanMeetsIt) {

@@ -345,6 +345,13 @@ Real4 probe_lamp(Real4 a, Real4 b) {
                  place.x + place.y, place.z);
 }
 
+Real4 probe_fading(Real4 a, Real4 b) {
+    return Real4(spread_pattern(shown_about(0.4f, 0.3f), a.x),
+                 spread_pattern(shown_about(0.4f, 1.0f), a.y),
+                 faded_result(shown_about(0.4f, 0.3f), b.x, 0.7f),
+                 faded_result(shown_about(0.4f, 1.0f), b.y, 0.7f));
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -363,6 +370,7 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 57) return probe_ambient(which - 55, a, b);
     if (which == 57) return probe_projection(a, b);
     if (which == 58) return probe_lamp(a, b);
+    if (which == 59) return probe_fading(a, b);
     return Real4(-1.0f);
 }
 

@@ -77,6 +77,7 @@ inline constexpr Probe kProbes[] = {
     {"split_sum_sample of other terms", 3e-4f},
     {"projection_weights, projected_place, projected_lean", 1e-5f},
     {"range_window, cone_window, rectangle_point", 1e-5f},
+    {"spread_pattern, faded_result", 2e-6f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 
