@@ -59,7 +59,7 @@ Status draw_side(RendererState& state, const SideView& side, const FrameCamera& 
 }
 
 Result<LightingInputs> draw_inputs(RendererState& state, const View& view,
-                                   const FrameCamera& camera) {
+                                   const FrameCamera& camera, GBufferTargets& targets) {
     if (const std::optional<Inspected> inspected = inspected_for(view.channel)) {
         const Result<gl::Framebuffer*> target = draw_inspection(state, view, camera, *inspected);
         if (!target) return passed_on(target);
@@ -67,7 +67,7 @@ Result<LightingInputs> draw_inputs(RendererState& state, const View& view,
     }
     if (!gbuffer_readers(view)) return LightingInputs{};
     const Result<gl::Framebuffer*> gbuffer =
-        draw_gbuffer(state, state.gbuffer, view, camera, surfaces_of(view));
+        draw_gbuffer(state, targets, view, camera, surfaces_of(view));
     if (!gbuffer) return passed_on(gbuffer);
     return LightingInputs{.gbuffer = *gbuffer};
 }
@@ -195,7 +195,7 @@ Result<SidePictures> draw_both_sides(RendererState& state, const View& view, glm
     state.timers.begin_frame();
     if (Status lit = ready_lights(state, view); !lit) return passed_on(lit);
     const FrameCamera camera = frame_camera(view, state.scene->bounds_world, size, glm::vec2(0.0f));
-    const Result<LightingInputs> inputs = draw_inputs(state, view, camera);
+    const Result<LightingInputs> inputs = draw_inputs(state, view, camera, state.gbuffer);
     if (!inputs) return passed_on(inputs);
     return drawn_sides(state, view, camera, *inputs);
 }
@@ -216,7 +216,8 @@ Status draw_frame(RendererState& state, const View& view, glm::ivec2 size,
         drawn.filter_normals = false;
         camera.level_bias = -0.5f * std::log2(static_cast<float>(target.still->count));
     }
-    const Result<LightingInputs> inputs = draw_inputs(state, drawn, camera);
+    const Result<LightingInputs> inputs =
+        draw_inputs(state, drawn, camera, target.add ? state.still_gbuffer : state.gbuffer);
     if (!inputs) return passed_on(inputs);
     const PictureTarget whole{.framebuffer = target.framebuffer,
                               .area = {{0, 0}, size},

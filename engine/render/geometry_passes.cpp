@@ -27,6 +27,26 @@ void draw_faces(const RendererState& state, gl::Pass& pass, const gl::Program& p
     pass.draw(program, vertices, {.count = vertices.count()});
 }
 
+gl::Format color_format(GBufferPrecision precision, gl::Format bytes) {
+    return precision == GBufferPrecision::Halves ? gl::Format::Rgba16F : bytes;
+}
+
+gl::FramebufferDescription gbuffer_description(const std::string& label,
+                                               GBufferPrecision precision) {
+    return {.label = label,
+            .colors = {{"albedo", color_format(precision, gl::Format::Srgb8Alpha8)},
+                       {"normal_roughness", gl::Format::Rgba16F},
+                       {"specular_ior", gl::Format::Rgba16F},
+                       {"emissive_occlusion", gl::Format::Rgba16F}},
+            .depth = gl::Format::Depth32F};
+}
+
+gl::FramebufferDescription with_surface_target(gl::FramebufferDescription description,
+                                               GBufferPrecision precision) {
+    description.colors.push_back({"surface", color_format(precision, gl::Format::Rgba8)});
+    return description;
+}
+
 }  // namespace
 
 FrameCamera frame_camera(const View& view, const Bounds& bounds, glm::ivec2 size,
@@ -97,20 +117,9 @@ void draw_blended_surfaces(RendererState& state, gl::Pass& pass, gl::Program& pr
     }
 }
 
-GBufferTargets::GBufferTargets(const std::string& label)
-    : plain({.label = label,
-             .colors = {{"albedo", gl::Format::Srgb8Alpha8},
-                        {"normal_roughness", gl::Format::Rgba16F},
-                        {"specular_ior", gl::Format::Rgba16F},
-                        {"emissive_occlusion", gl::Format::Rgba16F}},
-             .depth = gl::Format::Depth32F}),
-      with_surface({.label = label,
-                    .colors = {{"albedo", gl::Format::Srgb8Alpha8},
-                               {"normal_roughness", gl::Format::Rgba16F},
-                               {"specular_ior", gl::Format::Rgba16F},
-                               {"emissive_occlusion", gl::Format::Rgba16F},
-                               {"surface", gl::Format::Rgba8}},
-                    .depth = gl::Format::Depth32F}) {}
+GBufferTargets::GBufferTargets(const std::string& label, GBufferPrecision precision)
+    : plain(gbuffer_description(label, precision)),
+      with_surface(with_surface_target(gbuffer_description(label, precision), precision)) {}
 
 bool is_forward(const View& view, const Shading& shading) {
     return shading.path == RenderPath::Forward && view.channel == ChannelView::Final;

@@ -63,8 +63,8 @@ Result<ProbeTargets> probe_targets(RendererState& state, const Place& place) {
                                             place.gbuffer_size, glm::vec2(0.0f));
     View unfiltered = state.last_view;
     unfiltered.filter_normals = false;
-    const Result<gl::Framebuffer*> gbuffer =
-        draw_gbuffer(state, state.gbuffer, unfiltered, camera, SurfaceSet::All, one_pixel(place));
+    const Result<gl::Framebuffer*> gbuffer = draw_gbuffer(
+        state, state.still_gbuffer, unfiltered, camera, SurfaceSet::All, one_pixel(place));
     if (!gbuffer) return passed_on(gbuffer);
     const Result<gl::Framebuffer*> values = state.probe_values.at({kChannelViewCount, 1});
     if (!values) return passed_on(values);

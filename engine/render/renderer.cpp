@@ -80,8 +80,9 @@ RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials m
       linear(linear_sampler()),
       materials(std::move(made_materials)),
       shadow(std::move(made_shadow)),
-      gbuffer("gbuffer"),
-      strip_gbuffer("strip gbuffer"),
+      gbuffer("gbuffer", GBufferPrecision::Bytes),
+      still_gbuffer("still gbuffer", GBufferPrecision::Halves),
+      strip_gbuffer("strip gbuffer", GBufferPrecision::Bytes),
       inspection(with_depth(color_target("inspection", gl::Format::Rgba32F))),
       // Highlights of smooth metal in the sun go beyond what half floats hold, and infinity less a
       // share of itself is no number.

@@ -40,10 +40,17 @@ class SizedTarget {
     std::optional<gl::Framebuffer> framebuffer_;
 };
 
+/// What base colour, metalness and F90 are kept in.
+enum class GBufferPrecision {
+    Bytes,  ///< for frames: half the traffic
+    Halves  ///< for means of many draws: rounding to bytes would be 0.7 % of a colour in each of
+            ///< them
+};
+
 /// The G-buffer of DESIGN section 5 in its two layouts: position_depth is rebuilt from the hardware
 /// depth, and `surface` is there only when a material is unlit or has a specular factor.
 struct GBufferTargets {
-    explicit GBufferTargets(const std::string& label);
+    GBufferTargets(const std::string& label, GBufferPrecision precision);
     SizedTarget plain;
     SizedTarget with_surface;
 };
@@ -67,6 +74,7 @@ struct RendererState {
     LightBlock lights;
 
     GBufferTargets gbuffer;
+    GBufferTargets still_gbuffer;  ///< of draws that are added up, and of probes
     GBufferTargets strip_gbuffer;
     SizedTarget inspection;
     SizedTarget radiance;  ///< blended surfaces over the deferred light

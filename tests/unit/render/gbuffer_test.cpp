@@ -9,11 +9,10 @@
 namespace patina::render {
 namespace {
 
-/// 8-bit sRGB: half a step at the steepest place, in linear light.
-constexpr float kAlbedoStep = 0.005f;
-constexpr float kByteStep = 0.5f / 255.0f + 1e-4f;
 /// Half floats keep eleven bits.
 constexpr float kHalfStep = 1.0f / 2048.0f;
+/// What drivers read sRGB texels to: llvmpipe's curve is up to three thousandths off.
+constexpr float kSrgbTexel = 1e-3f;
 
 using GBufferTest = RenderTest;
 
@@ -55,8 +54,8 @@ TEST_F(GBufferTest, HoldsTheFactorsOfAConstantMaterial) {
     surface.emissive_strength = 20.0f;
     surface.ior = 1.8f;
     ASSERT_TRUE(renderer().set_material(0, surface));
-    expect_near(middle(ChannelView::BaseColor), {0.2f, 0.5f, 0.8f}, kAlbedoStep);
-    EXPECT_NEAR(middle(ChannelView::Metalness).x, 0.25f, kByteStep);
+    expect_near(middle(ChannelView::BaseColor), {0.2f, 0.5f, 0.8f}, kHalfStep);
+    EXPECT_NEAR(middle(ChannelView::Metalness).x, 0.25f, kHalfStep);
     EXPECT_NEAR(middle(ChannelView::Roughness).x, 0.6f, kHalfStep);
     EXPECT_NEAR(middle(ChannelView::Occlusion).x, 0.7f, kHalfStep);
     EXPECT_NEAR(middle(ChannelView::Ior).x, 1.8f, 2.0f * kHalfStep);
@@ -183,7 +182,7 @@ TEST_F(GBufferTest, VertexColoursMultiplyTheBaseColour) {
         primitive.colors.assign(primitive.positions.size(), glm::vec4(0.5f, 1.0f, 0.25f, 1.0f));
     show(scene_of(std::move(sphere)));
     ASSERT_TRUE(renderer().set_material(0, constant_surface(glm::vec3(0.8f), 0.0f, 0.5f)));
-    expect_near(middle(ChannelView::BaseColor), {0.4f, 0.8f, 0.2f}, kAlbedoStep);
+    expect_near(middle(ChannelView::BaseColor), {0.4f, 0.8f, 0.2f}, kHalfStep);
 }
 
 TEST_F(GBufferTest, EachMapHasItsOwnUvSetAndTransform) {
@@ -207,7 +206,7 @@ TEST_F(GBufferTest, EachMapHasItsOwnUvSetAndTransform) {
                                             .wrap_u = Wrap::Clamp,
                                             .filter = Filter::Nearest}};
     ASSERT_TRUE(renderer().set_material(0, surface));
-    EXPECT_NEAR(middle(ChannelView::BaseColor).x, 1.0f, kAlbedoStep);
+    EXPECT_NEAR(middle(ChannelView::BaseColor).x, 1.0f, kHalfStep);
     EXPECT_NEAR(middle(ChannelView::Roughness).x, 0.0f, kHalfStep);
     // KHR_texture_transform: (u, v) turns to (v, -u) at 90 degrees: u = 0.25, the dark column.
     EXPECT_NEAR(middle(ChannelView::Occlusion).x, 0.0f, kHalfStep);
@@ -224,7 +223,7 @@ TEST_F(GBufferTest, FactorsScaleAndShiftWhatTexturesSay) {
                                 .multiply = glm::vec4(0.5f, 1.0f, 1.0f, 1.0f)};
     ASSERT_TRUE(renderer().set_material(0, surface));
     EXPECT_NEAR(middle(ChannelView::Occlusion).x, 0.5f + 0.5f * 128.0f / 255.0f, kHalfStep);
-    expect_near(middle(ChannelView::BaseColor), {0.10793f, 0.21586f, 0.21586f}, kAlbedoStep);
+    expect_near(middle(ChannelView::BaseColor), {0.10793f, 0.21586f, 0.21586f}, kSrgbTexel);
 }
 
 TEST_F(GBufferTest, AChangedRectangleIsAllThatIsTakenFromNewPixels) {
@@ -241,7 +240,7 @@ TEST_F(GBufferTest, AChangedRectangleIsAllThatIsTakenFromNewPixels) {
     ASSERT_TRUE(renderer().set_material(0, surface, TexelRect{1, 0, 2, 1}));
     const Image drawn = channel(ChannelView::BaseColor);
     EXPECT_EQ(pixel_of(drawn, 16, 32).x, 0.0f);
-    EXPECT_EQ(pixel_of(drawn, 48, 32).x, 1.0f);
+    EXPECT_NEAR(pixel_of(drawn, 48, 32).x, 1.0f, kSrgbTexel);
     EXPECT_EQ(renderer().stats().material_texture_bytes, bytes_before);
 }
 
