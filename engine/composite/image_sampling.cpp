@@ -59,7 +59,7 @@ float tap(const SamplingTask& task, int x, int y, int channel) {
             static_cast<std::size_t>(x);
         const std::size_t at = texel * static_cast<std::size_t>(task.image->channels) +
                                static_cast<std::size_t>(channel);
-        return decoded_bytes()[static_cast<std::size_t>(task.image->data[at])];
+        return decoded_bytes().values[static_cast<std::size_t>(task.image->data[at])];
     }
     float value = stored_value(*task.image, x, y, channel);
     if (task.invert) value = 1.0f - value;

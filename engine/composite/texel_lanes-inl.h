@@ -14,8 +14,7 @@
 
 #include <type_traits>
 
-#include "composite/decoded_bytes.h"
-#include "composite/plane_lanes-inl.h"
+#include "composite/decoded_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
@@ -55,15 +54,21 @@ struct AsStored {
     HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const {
         return Real(hn::ConvertTo(RealLanes(), byte)) * (1.0f / 255.0f);
     }
+    HWY_INLINE void rgb(hn::Vec<formulae::UintLanes> texels, Real out[3]) const {
+        out[0] = of_byte(byte_of<0>(texels));
+        out[1] = of_byte(byte_of<1>(texels));
+        out[2] = of_byte(byte_of<2>(texels));
+    }
 };
 struct Decoded {
-    const float* table;
+    const DecodedBytes& table;
     static HWY_INLINE Decoded make() { return {decoded_bytes()}; }
     HWY_INLINE Real operator()(hn::Vec<hn::Rebind<std::uint8_t, RealLanes>> stored) const {
         return of_byte(hn::PromoteTo(formulae::IntLanes(), stored));
     }
-    HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const {
-        return Real(hn::GatherIndex(RealLanes(), table, byte));
+    HWY_INLINE Real of_byte(hn::Vec<formulae::IntLanes> byte) const { return decoded(table, byte); }
+    HWY_INLINE void rgb(hn::Vec<formulae::UintLanes> texels, Real out[3]) const {
+        decoded_rgb(table, texels, out);
     }
 };
 
@@ -87,9 +92,7 @@ HWY_INLINE void load_texels(const Sample* texels, const Value& value, Real out[4
         // A texel is one 32-bit number.
         const auto packed =
             hn::LoadU(formulae::UintLanes(), reinterpret_cast<const std::uint32_t*>(texels));
-        out[0] = value.of_byte(byte_of<0>(packed));
-        out[1] = value.of_byte(byte_of<1>(packed));
-        out[2] = value.of_byte(byte_of<2>(packed));
+        value.rgb(packed, out);
         out[3] = value.of_byte(byte_of<3>(packed));
     } else {
         hn::LoadInterleaved4(lanes, texels, a, b, c, d);
