@@ -225,6 +225,13 @@ DepthRange depth_range(const Camera& camera, const Bounds& bounds) {
     return {.near_m = std::max(nearest - slack, 1e-4f * far_m), .far_m = far_m};
 }
 
+float pixels_per_metre(const Camera& camera, int picture_height, float distance_m) {
+    const float height_m = camera.orthographic_height > 0.0f
+                               ? camera.orthographic_height
+                               : 2.0f * tangent_of_half_fov(camera) * std::max(distance_m, 1e-6f);
+    return static_cast<float>(picture_height) / height_m;
+}
+
 glm::mat4 clip_from_view(const Camera& camera, float aspect, const DepthRange& range) {
     if (camera.orthographic_height > 0.0f) {
         const float half_height = 0.5f * camera.orthographic_height;

@@ -55,6 +55,9 @@ Camera dollied(const Camera& camera, float steps);
 
 glm::mat4 view_from_world(const Camera& camera);
 
+/// How many pixels of a picture so high a metre takes that lies across the view at a distance.
+float pixels_per_metre(const Camera& camera, int picture_height, float distance_m);
+
 /// The depth range that holds `bounds`, for a projection without waste. 0 < near < far, metres.
 struct DepthRange {
     float near_m = 0.01f;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "scene/uv_density.h"
+
 namespace patina::render {
 namespace {
 
@@ -82,6 +84,9 @@ GpuScene upload_scene(ScenePtr scene) {
             const Primitive& primitive = mesh.primitives[p];
             if (primitive.indices.empty()) continue;
             const Bounds bounds = bounds_of(primitive, instance.world_from_local);
+            const auto length = [&](int uv_set) {
+                return uv_areas(primitive, instance.world_from_local, uv_set).length_per_uv(0.0f);
+            };
             gpu.bounds_world.include(bounds.low);
             gpu.bounds_world.include(bounds.high);
             gpu.triangles += primitive.indices.size() / 3;
@@ -92,10 +97,25 @@ GpuScene upload_scene(ScenePtr scene) {
                  .source_material = primitive.source_material,
                  .world_from_local = instance.world_from_local,
                  .mirrored = glm::determinant(glm::mat3(instance.world_from_local)) < 0.0f,
-                 .center_world = bounds.center()});
+                 .bounds_world = bounds,
+                 .length_per_uv = {length(0), length(1)}});
         }
     }
     return gpu;
+}
+
+float texels_seen(const GpuScene& scene, int source_material, int uv_set, const Camera& camera,
+                  int picture_height) {
+    float most = 0.0f;
+    for (const DrawItem& item : scene.items) {
+        if (item.source_material != source_material) continue;
+        const glm::vec3 nearest =
+            glm::clamp(camera.position, item.bounds_world.low, item.bounds_world.high);
+        const float pixels =
+            pixels_per_metre(camera, picture_height, glm::distance(camera.position, nearest));
+        most = std::max(most, item.length_per_uv[static_cast<std::size_t>(uv_set)] * pixels);
+    }
+    return most;
 }
 
 const Primitive& primitive_of(const GpuScene& scene, const DrawItem& item) {
@@ -110,7 +130,7 @@ std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const
     std::iota(order.begin(), order.end(), std::size_t{0});
     const glm::vec3 forward = camera.target - camera.position;
     const auto depth = [&](std::size_t i) {
-        return glm::dot(items[i].center_world - camera.position, forward);
+        return glm::dot(items[i].bounds_world.center() - camera.position, forward);
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });

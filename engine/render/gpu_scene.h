@@ -3,6 +3,7 @@
 
 /// The meshes of a scene on the GPU, and what is drawn of them in which order.
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -20,7 +21,9 @@ struct DrawItem {
     int source_material = -1;
     glm::mat4 world_from_local = glm::mat4(1.0f);
     bool mirrored = false;  ///< world_from_local turns the winding round
-    glm::vec3 center_world = glm::vec3(0.0f);
+    Bounds bounds_world;
+    /// See UvAreas: of each UV set in metres, 0 without UVs.
+    std::array<float, 2> length_per_uv = {0.0f, 0.0f};
 };
 
 struct GpuScene {
@@ -38,6 +41,11 @@ GpuScene upload_scene(ScenePtr scene);
 
 /// The mesh that an item shows.
 const Primitive& primitive_of(const GpuScene& scene, const DrawItem& item);
+
+/// How many texels a map of that material needs along one UV for none to be wider than a pixel on
+/// the part that is nearest to the camera; 0 where no part with UVs wears it.
+float texels_seen(const GpuScene& scene, int source_material, int uv_set, const Camera& camera,
+                  int picture_height);
 
 /// The indices of `items`, farthest from the camera first.
 std::vector<std::size_t> back_to_front(const std::vector<DrawItem>& items, const Camera& camera);

@@ -243,4 +243,10 @@ const Bounds& Renderer::bounds_world() const {
     return state_->scene ? state_->scene->bounds_world : kEmpty;
 }
 
+float Renderer::texels_seen(int source_material, int uv_set, const Camera& camera,
+                            int picture_height) const {
+    if (!state_->scene) return 0.0f;
+    return render::texels_seen(*state_->scene, source_material, uv_set, camera, picture_height);
+}
+
 }  // namespace patina::render

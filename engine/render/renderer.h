@@ -206,6 +206,9 @@ class Renderer {
 
     /// Bounds of what is drawn, in the world.
     const Bounds& bounds_world() const;
+    /// How fine a picture so high shows a material: see texels_seen of gpu_scene.h.
+    float texels_seen(int source_material, int uv_set, const Camera& camera,
+                      int picture_height) const;
 
   private:
     explicit Renderer(std::unique_ptr<RendererState> state);

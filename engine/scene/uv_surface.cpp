@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "scene/uv_density.h"
 #include "scene/uv_map.h"
 
 namespace patina {
@@ -129,26 +130,11 @@ UvSurface::UvSurface(ScenePtr scene, std::vector<SurfacePart> parts, int uv_set)
 }
 
 void UvSurface::measure() {
-    double of_model = 0.0, of_texture = 0.0;
-    for (std::uint32_t triangle = 0; triangle < triangle_count(); ++triangle) {
-        const auto corners = corners_of(triangle);
-        if (!corners) continue;
-        has_uvs_ = true;
-        std::size_t part = 0;
-        const std::uint32_t* const indices = indices_of(triangle, part);
-        std::array<glm::vec3, 3> places;
-        for (std::size_t k = 0; k < 3; ++k)
-            places[k] = glm::vec3(frames_[part].model_from_local *
-                                  glm::vec4(parts_[part].primitive->positions[indices[k]], 1.0f));
-        const glm::dvec3 cross = glm::cross(glm::dvec3(places[1]) - glm::dvec3(places[0]),
-                                            glm::dvec3(places[2]) - glm::dvec3(places[0]));
-        of_model += std::sqrt(glm::dot(cross, cross));
-        const glm::dvec2 a = glm::dvec2((*corners)[1]) - glm::dvec2((*corners)[0]);
-        const glm::dvec2 b = glm::dvec2((*corners)[2]) - glm::dvec2((*corners)[0]);
-        of_texture += std::abs(a.x * b.y - a.y * b.x);
-    }
-    if (of_model > 0.0 && of_texture > 0.0)
-        length_per_uv_ = static_cast<float>(std::sqrt(of_model / of_texture));
+    UvAreas areas;
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+        areas += uv_areas(*parts_[part].primitive, frames_[part].model_from_local, uv_set_);
+    has_uvs_ = areas.has_uvs;
+    length_per_uv_ = areas.length_per_uv(1.0f);
 }
 
 std::size_t UvSurface::part_of(std::uint32_t triangle) const {

@@ -8,12 +8,6 @@
 #include "document/worn_surface.h"
 
 namespace patina::editor {
-namespace {
-
-/// Side of the maps that are made at once; larger ones follow when nothing newer is wanted.
-constexpr int kPreviewSize = 1024;
-
-}  // namespace
 
 LiveMaterials::LiveMaterials(std::function<void()> wake)
     : wake_(std::move(wake)), thread_([this] { run(); }) {}
@@ -28,24 +22,27 @@ LiveMaterials::~LiveMaterials() {
     thread_.join();
 }
 
-void LiveMaterials::show(const DocumentPtr& document, std::vector<MaterialPtr> materials,
+void LiveMaterials::show(const DocumentPtr& document, std::vector<Wanted> materials,
                          std::shared_ptr<ImageProvider> images, MaterialId first) {
     // Only this thread changes what is wanted: it may look without the lock.
-    const auto is_wanted = [](const MaterialPtr& material, const Worn& worn) {
-        return material == worn.material;
+    const auto is_wanted = [](const Wanted& wanted, const Worn& worn) {
+        return wanted.material == worn.material;
     };
     const bool as_before =
         document == document_ && images == images_ &&
         std::equal(materials.begin(), materials.end(), wanted_.begin(), wanted_.end(), is_wanted);
+    std::vector<int> seen_sizes;
+    for (const Wanted& each : materials) seen_sizes.push_back(each.seen_size);
     std::vector<Worn> wanted;
     if (!as_before)
-        for (MaterialPtr& material : materials) {
+        for (auto& [material, seen_size] : materials) {
             UvSurfacePtr surface = surface_read(*document, *material, surface_of(material->id));
             wanted.push_back({std::move(material), std::move(surface)});
         }
     document_ = document;
     {
         const std::lock_guard lock(mutex_);
+        seen_sizes_ = std::move(seen_sizes);
         if (as_before || (wanted == wanted_ && images == images_)) {
             first_ = first;
             return;
@@ -91,12 +88,13 @@ bool LiveMaterials::settled() const {
 std::optional<LiveMaterials::Task> LiveMaterials::next_task() const {
     std::optional<Task> refinement;
     std::optional<Task> preview;
-    for (const Worn& worn : wanted_) {
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+        const Worn& worn = wanted_[i];
         const MaterialPtr& material = worn.material;
         const auto made = made_.find(material->id);
         const bool is_first = material->id == first_;
         const bool current = made != made_.end() && made->second.worn == worn;
-        const int least = std::min(material->resolution, kPreviewSize);
+        const int least = std::min(material->resolution, seen_sizes_[i]);
         if (!current) {
             if (!preview || is_first) preview = Task{worn, least};
         } else if (made->second.size < material->resolution) {
@@ -119,7 +117,7 @@ std::optional<LiveMaterials::Changed> LiveMaterials::make(const Task& task, Made
         for (const Hash128& image : program.images())
             if (const auto pixels = images.pixels(image); !pixels)
                 log_warning("{}", pixels.error().message);
-        LiveComposite& composite = task.size > kPreviewSize ? made.full : made.preview;
+        LiveComposite& composite = task.size < material.resolution ? made.preview : made.full;
         const auto update = composite.update(program, images, task.size, progress);
         if (!update) {
             if (!progress.cancelled()) log_warning("{}", update.error().message);

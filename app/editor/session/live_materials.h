@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The materials of the snapshot that is shown, composited on a worker: the selected one first, at
-/// a preview size at once and at its full size when nothing newer is wanted.
+/// The materials of the snapshot that is shown, composited on a worker: the selected one first, as
+/// fine as it is seen at once and at its full size when nothing newer is wanted.
 
 #include <condition_variable>
 #include <functional>
@@ -31,6 +31,12 @@ class LiveMaterials {
         double elapsed_ms = 0.0;
     };
 
+    /// A material to show. One of those of the document, or what stands in for it.
+    struct Wanted {
+        MaterialPtr material;
+        int seen_size = 0;  ///< side of maps that are as fine as the picture: what is made at once
+    };
+
     /// @param wake  called from the worker when there is something to take
     explicit LiveMaterials(std::function<void()> wake);
     ~LiveMaterials();
@@ -38,8 +44,7 @@ class LiveMaterials {
     LiveMaterials& operator=(const LiveMaterials&) = delete;
 
     /// Shows these materials from now on. Work on older ones is cut short.
-    /// @param materials  those of the document, some of which may be stood in for
-    void show(const DocumentPtr& document, std::vector<MaterialPtr> materials,
+    void show(const DocumentPtr& document, std::vector<Wanted> materials,
               std::shared_ptr<ImageProvider> images, MaterialId first);
     /// What layers of each material that is shown read of the model; those that read nothing of it
     /// are left out. Asked for by the thread that calls show().
@@ -80,6 +85,7 @@ class LiveMaterials {
     std::condition_variable work_;
     DocumentPtr document_;  ///< that `wanted_` is of
     std::vector<Worn> wanted_;
+    std::vector<int> seen_sizes_;  ///< of each that is wanted
     std::shared_ptr<ImageProvider> images_;
     MaterialId first_;
     std::vector<Changed> ready_;

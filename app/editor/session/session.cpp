@@ -275,11 +275,25 @@ MaterialPtr Session::part_of(const MaterialPtr& material, const ViewState& view)
     return part_shown_;
 }
 
-void Session::show_materials(const ViewState& view) {
-    std::vector<MaterialPtr> materials = history_->document()->materials;
-    for (MaterialPtr& material : materials)
-        if (material->id == view.material && (view.viewed_mask.value != 0 || view.solo.value != 0))
-            material = part_of(material, view);
+/// The smallest power of two at which no texel is wider than a pixel, within what an edit can wait
+/// for.
+int Session::seen_size(const Material& material, const ViewState& view, int picture_height) const {
+    constexpr int kLeast = 256, kMost = 2048;
+    const float texels = picture_.texels_seen(material.source_material.value_or(-1),
+                                              material.uv_set, view.view.camera, picture_height);
+    int size = kLeast;
+    while (size < kMost && static_cast<float>(size) < texels) size *= 2;
+    return size;
+}
+
+void Session::show_materials(const ViewState& view, int picture_height) {
+    std::vector<LiveMaterials::Wanted> materials;
+    for (const MaterialPtr& material : history_->document()->materials) {
+        const bool in_part =
+            material->id == view.material && (view.viewed_mask.value != 0 || view.solo.value != 0);
+        materials.push_back({.material = in_part ? part_of(material, view) : material,
+                             .seen_size = seen_size(*material, view, picture_height)});
+    }
     live_.show(history_->document(), std::move(materials), images_, view.material);
     thumbnails_.set_surfaces(live_.surfaces());
     picture_.assign_materials(assigned_numbers(*history_->document()));
@@ -345,7 +359,7 @@ void Session::update(ViewState& view, const FrameInput& input) {
         follow_environment();
         follow_texel(view);
         follow_uv_layout(view);
-        show_materials(view);
+        show_materials(view, input.viewport.height);
         const std::vector<LiveMaterials::Changed> changed = live_.take();
         for (const LiveMaterials::Changed& each : changed)
             if (each.elapsed_ms > 0.0) composite_ms_ = each.elapsed_ms;

@@ -139,7 +139,8 @@ class Session {
         bool operator==(const Part&) const = default;
     };
     MaterialPtr part_of(const MaterialPtr& material, const ViewState& view);
-    void show_materials(const ViewState& view);
+    int seen_size(const Material& material, const ViewState& view, int picture_height) const;
+    void show_materials(const ViewState& view, int picture_height);
     /// What the light is filtered from.
     struct EnvironmentChoice {
         std::string name;

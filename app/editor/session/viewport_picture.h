@@ -43,6 +43,11 @@ class ViewportPicture {
     double frame_ms() const { return frame_ms_; }
     int pictures_drawn() const { return pictures_drawn_; }
     const Bounds& bounds() const { return renderer_.bounds_world(); }
+    /// See Renderer::texels_seen.
+    float texels_seen(int source_material, int uv_set, const render::Camera& camera,
+                      int picture_height) const {
+        return renderer_.texels_seen(source_material, uv_set, camera, picture_height);
+    }
     std::uintptr_t texture() const { return drawn_ ? renderer_.picture_texture() : 0; }
     std::uintptr_t strip_texture() const {
         return strip_drawn_once_ ? renderer_.strip_texture() : 0;

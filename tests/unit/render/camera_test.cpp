@@ -171,6 +171,16 @@ TEST(Camera, AFlatSceneLiesBetweenThePlanesOfACameraThatFacesIt) {
     }
 }
 
+TEST(Camera, AMetreTakesAsManyPixelsAsItIsLongInThePicture) {
+    const Camera perspective = framed(kBox, 1.0f, ViewDirection::Front);
+    for (const Camera& camera : {perspective, with_other_projection(perspective)}) {
+        const glm::vec3 low = clip_position(camera, kBox, 1.0f, {0.0f, 0.25f, 0.5f});
+        const glm::vec3 high = clip_position(camera, kBox, 1.0f, {0.0f, 1.25f, 0.5f});
+        const float distance = camera.position.z - 0.5f;
+        EXPECT_NEAR(pixels_per_metre(camera, 720, distance), 360.0f * (high.y - low.y), 0.1f);
+    }
+}
+
 TEST(Camera, EmptyBoundsAreFramedAsAUnitBall) {
     EXPECT_EQ(framed(Bounds{}, 1.0f).target, glm::vec3(0.0f));
     EXPECT_GT(glm::length(framed(Bounds{}, 1.0f).position), 1.0f);

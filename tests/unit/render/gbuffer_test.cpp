@@ -83,6 +83,24 @@ TEST_F(GBufferTest, SpecularMapsScaleTheFactorByAlphaAndTheColourByColour) {
     expect_near(middle(ChannelView::F0), {0.04f * half, 0.04f * half * 0.503f, 0.0f}, kHalfStep);
 }
 
+TEST_F(GBufferTest, ATexelIsSeenAsWideAsAPixelWhereTheModelIsNearest) {
+    Mesh plane = shape_mesh(Shape::Plane);
+    const auto diagonal = [](const auto& places) {
+        return glm::distance(places.front(), places.back());
+    };
+    const float metres_per_uv =
+        diagonal(plane.primitives[0].positions) / diagonal(plane.primitives[0].uvs[0]);
+    plane.primitives[0].source_material = 3;
+    show(scene_of(plane, glm::scale(glm::mat4(1.0f), glm::vec3(2.0f))));
+    Camera above = framed(renderer().bounds_world(), 1.0f, ViewDirection::Top);
+    const float distance = above.position.y - renderer().bounds_world().high.y;
+    const float texels = renderer().texels_seen(3, 0, above, 512);
+    EXPECT_NEAR(texels, 2.0f * metres_per_uv * pixels_per_metre(above, 512, distance),
+                0.001f * texels);
+    EXPECT_NEAR(renderer().texels_seen(3, 0, above, 1024), 2.0f * texels, 0.001f * texels);
+    EXPECT_EQ(renderer().texels_seen(0, 0, above, 512), 0.0f) << "nothing wears it";
+}
+
 TEST_F(GBufferTest, PositionDepthAndNormalAreThoseOfTheSphere) {
     const glm::vec3 center(0.0f, 0.5f, 0.0f);
     const Image positions = channel(ChannelView::Position);
