@@ -133,6 +133,7 @@ void draw_dialogs(Ui& ui, Workspace& workspace, const Shown& shown) {
         workspace.carry_out(std::move(requests));
     }
     workspace.export_dialog().draw(ui);
+    workspace.save_view_dialog().draw(ui);
     workspace.question().draw(ui);
     workspace.keys().draw(ui);
     workspace.log().draw(ui, shown.log);

@@ -16,6 +16,7 @@
 #include "editor/dialogs/preset_dialog.h"
 #include "editor/dialogs/question.h"
 #include "editor/dialogs/save_preset_dialog.h"
+#include "editor/dialogs/save_view_dialog.h"
 #include "editor/session/session.h"
 #include "editor/state/requests.h"
 #include "editor/state/view_state.h"
@@ -34,12 +35,14 @@ class Workspace {
     PresetDialog& preset_dialog() { return preset_dialog_; }
     SavePresetDialog& save_preset_dialog() { return save_preset_dialog_; }
     ExportDialog& export_dialog() { return export_dialog_; }
+    SaveViewDialog& save_view_dialog() { return save_view_dialog_; }
     KeysDialog& keys() { return keys_; }
     LogDialog& log() { return log_; }
     bool dialog_open() const {
         return file_dialog_.is_open() || palette_.is_open() || question_.is_open() ||
                preset_dialog_.is_open() || save_preset_dialog_.is_open() ||
-               export_dialog_.is_open() || keys_.is_open() || log_.is_open();
+               export_dialog_.is_open() || save_view_dialog_.is_open() || keys_.is_open() ||
+               log_.is_open();
     }
 
     /// Edits first, in one go, then the rest.
@@ -74,6 +77,7 @@ class Workspace {
     void ask_save_as(std::function<void()> after);
     void ask_export();
     void ask_save_view();
+    void ask_file(FileDialog::Request request);
     void ask_export_folder(const io::MapExportOptions& options);
     void ask_save_preset(bool whole_material);
     void save_preset(const SavePreset& request);
@@ -92,11 +96,13 @@ class Workspace {
     std::unique_ptr<Session> session_;
     ViewState view_;
     FileDialog file_dialog_;
+    std::filesystem::path file_dialog_beside_;  ///< the document that it looked beside
     Palette palette_;
     QuestionDialog question_;
     PresetDialog preset_dialog_;
     SavePresetDialog save_preset_dialog_;
     ExportDialog export_dialog_;
+    SaveViewDialog save_view_dialog_;
     KeysDialog keys_;
     LogDialog log_;
     bool quitting_ = false;

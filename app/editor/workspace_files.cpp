@@ -55,17 +55,29 @@ void Workspace::save_then(std::function<void()> after) {
     session_->save(session_->path(), view_, std::move(after));
 }
 
+/// Where the document lies, as long as nobody has looked elsewhere since it was opened.
+void Workspace::ask_file(FileDialog::Request request) {
+    const fs::path document = session_->path();
+    if (!document.empty() && document != file_dialog_beside_) {
+        file_dialog_beside_ = document;
+        std::error_code error;
+        const fs::path whole = fs::absolute(document, error);
+        if (!error) file_dialog_.look_in(whole.parent_path());
+    }
+    file_dialog_.open(std::move(request));
+}
+
 void Workspace::ask_save_as(std::function<void()> after) {
     const std::string name = session_->file_name().string();
-    file_dialog_.open({.title = "Save as",
-                       .button = "Save",
-                       .extensions = kModels,
-                       .name = name,
-                       .writing = true,
-                       .folder = false,
-                       .chosen = [this, after = std::move(after)](const fs::path& path) {
-                           session_->save(path, view_, after);
-                       }});
+    ask_file({.title = "Save as",
+              .button = "Save",
+              .extensions = kModels,
+              .name = name,
+              .writing = true,
+              .folder = false,
+              .chosen = [this, after = std::move(after)](const fs::path& path) {
+                  session_->save(path, view_, after);
+              }});
 }
 
 void Workspace::ask_export() {
@@ -89,36 +101,36 @@ void Workspace::ask_export_folder(const io::MapExportOptions& options) {
                  {"Choose another folder", [this, options] { ask_export_folder(options); }, true},
                  {"Cancel", {}}}});
     };
-    file_dialog_.open({.title = "Export the baked maps and a copy of the model to",
-                       .button = "Export here",
-                       .extensions = {},
-                       .name = {},
-                       .folder = true,
-                       .chosen = chosen});
+    ask_file({.title = "Export the baked maps and a copy of the model to",
+              .button = "Export here",
+              .extensions = {},
+              .name = {},
+              .folder = true,
+              .chosen = chosen});
 }
 
 void Workspace::ask_save_view() {
-    const render::PictureSize size = session_->still_size();
-    file_dialog_.open(
-        {.title = fmt::format("Save the view, {} \u00d7 {}: PNG, or EXR in linear light",
-                              size.width, size.height),
-         .button = "Save",
-         .extensions = {".png", ".exr"},
-         .name = "view.png",
-         .writing = true,
-         .chosen = [this](const fs::path& path) { session_->save_view(path, view_); }});
+    save_view_dialog_.open(session_->viewport_aspect(), [this](const StillOptions& options) {
+        ask_file({.title = "Save the view",
+                  .button = "Save",
+                  .extensions = {".png", ".exr"},
+                  .name = "view.png",
+                  .writing = true,
+                  .chosen = [this, options](const fs::path& path) {
+                      session_->save_view(path, view_, options);
+                  }});
+    });
 }
 
 void Workspace::perform_file(Action action) {
     switch (action) {
         case Action::Open:
             when_edits_may_go([this] {
-                file_dialog_.open(
-                    {.title = "Open a model",
-                     .button = "Open",
-                     .extensions = kModels,
-                     .name = {},
-                     .chosen = [this](const fs::path& path) { session_->open(path); }});
+                ask_file({.title = "Open a model",
+                          .button = "Open",
+                          .extensions = kModels,
+                          .name = {},
+                          .chosen = [this](const fs::path& path) { session_->open(path); }});
             });
             return;
         case Action::OpenSample:
@@ -186,13 +198,13 @@ void Workspace::take_file(const TakeFile& file) {
 }
 
 void Workspace::ask_image(std::function<void(const ImageAssetPtr&)> use) {
-    file_dialog_.open({.title = "Choose an image",
-                       .button = "Use",
-                       .extensions = kImages,
-                       .name = {},
-                       .chosen = [this, use = std::move(use)](const fs::path& path) {
-                           session_->with_image(path, use);
-                       }});
+    ask_file({.title = "Choose an image",
+              .button = "Use",
+              .extensions = kImages,
+              .name = {},
+              .chosen = [this, use = std::move(use)](const fs::path& path) {
+                  session_->with_image(path, use);
+              }});
 }
 
 void Workspace::use_image(const ImageAssetPtr& image, Edit edit, std::string label) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/files.h"
 #include "document/edits.h"
 #include "editor/editor_fixture.h"
+#include "io/image_decode.h"
 #include "io/load.h"
 #include "io/save.h"
 
@@ -192,6 +194,40 @@ TEST_F(FilesTest, TheFirstSaveOfASessionKeepsTheVersionBefore) {
         EXPECT_NE(bytes(file), before);
         EXPECT_TRUE(bytes(kept) == before) << "after save " << save;
     }
+}
+
+TEST_F(FilesTest, AViewIsSavedInTheSizeAndOnTheBackgroundThatAreChosen) {
+    const fs::path file = sample();
+    Editor editor(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(editor, file));
+    const auto choose = [&](const std::string& label, const std::string& ending) {
+        ASSERT_TRUE(editor.click("Save the view", label, "combo"));
+        std::string item;
+        ASSERT_TRUE(editor.wait_for("the choice " + ending, [&] {
+            for (const Control& control : editor.controls())
+                if (control.kind == "item" && control.label.ends_with(ending)) item = control.label;
+            return !item.empty();
+        }));
+        ASSERT_TRUE(editor.click("Save the view", item, "item"));
+    };
+    ASSERT_TRUE(editor.click("Viewport", "Save the view", "button"));
+    choose("Size", " 540 px");
+    choose("Samples", "16, a draft");
+    choose("Background", "Transparent");
+    ASSERT_TRUE(editor.click("Save the view", "Choose a file\u2026", "button"));
+    ASSERT_TRUE(editor.click("File dialog", "Save", "button"));
+    const fs::path saved = folder_ / "view.png";
+    ASSERT_TRUE(editor.wait_for("the toast", [&] {
+        const auto controls = editor.controls();
+        return fs::exists(saved) &&
+               std::any_of(controls.begin(), controls.end(),
+                           [](const auto& c) { return c.label == "Saved view.png"; });
+    }));
+    const auto picture = io::decode_image(*read_file(saved), "view.png");
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_EQ((*picture)->height, 540);
+    ASSERT_EQ((*picture)->channels, 4);
+    EXPECT_EQ((*picture)->data[3], std::byte{0}) << "the corner is beside the model";
 }
 
 }  // namespace

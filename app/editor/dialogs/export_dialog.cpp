@@ -8,31 +8,11 @@
 #include <vector>
 
 #include "document/material.h"
+#include "editor/dialogs/dialog_choice.h"
 #include "editor/dialogs/modal.h"
 #include "editor/widgets/buttons.h"
-#include "editor/widgets/combo.h"
-#include "editor/widgets/form.h"
 
 namespace patina::editor {
-namespace {
-
-/// One of several values behind a label; what is chosen is stored.
-template <typename Value>
-void choose(Ui& ui, Rect& rest, std::string_view label, std::string_view tooltip,
-            const std::vector<std::pair<std::string, Value>>& choices, Value& value) {
-    Rect row = next_line(ui, rest);
-    text(ui, row.cut_left(ui.px(96)), ui.fonts.value12, theme::kText2, label);
-    std::vector<ComboItem> items;
-    int chosen = -1;
-    for (const auto& [name, each] : choices) {
-        if (each == value) chosen = static_cast<int>(items.size());
-        items.push_back({.label = name});
-    }
-    const auto picked = combo(ui, row, {.label = label, .tooltip = tooltip}, items, chosen);
-    if (picked) value = choices[static_cast<std::size_t>(*picked)].second;
-}
-
-}  // namespace
 
 void ExportDialog::open(std::function<void(const io::MapExportOptions&)> chosen) {
     chosen_ = std::move(chosen);
@@ -42,11 +22,11 @@ void ExportDialog::draw_choices(Ui& ui, Rect& rest) {
     std::vector<std::pair<std::string, const io::MapPacking*>> packings;
     for (const io::MapPacking& row : io::map_packings())
         packings.emplace_back(std::string(row.id), &row);
-    choose(ui, rest, "Packing", "What goes into which file", packings, options_.packing);
+    dialog_choice(ui, rest, "Packing", "What goes into which file", packings, options_.packing);
     std::vector<std::pair<std::string, io::ImageFormat>> formats;
     for (const io::ImageFormatInfo& row : io::kImageFormats)
         formats.emplace_back(std::string(row.id), row.format);
-    choose(ui, rest, "Format", "Of the files", formats, options_.format);
+    dialog_choice(ui, rest, "Format", "Of the files", formats, options_.format);
     using Number = std::optional<int>;
     std::vector<std::pair<std::string, Number>> bits = {
         {options_.format == io::ImageFormat::Exr ? "Usual (16)" : "Usual (8)", std::nullopt}};
@@ -55,11 +35,11 @@ void ExportDialog::draw_choices(Ui& ui, Rect& rest) {
         with.bits = each;
         if (io::check_map_options(with)) bits.emplace_back(fmt::format("{}", each), each);
     }
-    choose(ui, rest, "Bits", "Of each channel; 32 are floats", bits, options_.bits);
+    dialog_choice(ui, rest, "Bits", "Of each channel; 32 are floats", bits, options_.bits);
     std::vector<std::pair<std::string, Number>> sizes = {{"As each material says", std::nullopt}};
     for (int size = kMinResolution; size <= kMaxResolution; size *= 2)
         sizes.emplace_back(fmt::format("{} px", size), size);
-    choose(ui, rest, "Size", "Side of the maps", sizes, options_.size);
+    dialog_choice(ui, rest, "Size", "Side of the maps", sizes, options_.size);
 }
 
 void ExportDialog::draw(Ui& ui) {

@@ -26,6 +26,7 @@ class FileDialog {
     };
     /// Opens it, in the folder that was looked at last.
     void open(Request request);
+    /// From now on.
     void look_in(const std::filesystem::path& folder) { folder_ = folder; }
     bool is_open() const { return request_.has_value(); }
     void draw(Ui& ui);

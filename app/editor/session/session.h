@@ -21,6 +21,7 @@
 #include "editor/session/thumbnail_cache.h"
 #include "editor/session/viewport_picture.h"
 #include "editor/state/shown.h"
+#include "editor/state/still_options.h"
 #include "editor/state/view_state.h"
 #include "io/image_store.h"
 #include "io/load.h"
@@ -50,10 +51,11 @@ class Session {
     void export_maps(const std::filesystem::path& folder, const io::MapExportOptions& options);
     /// The copy of the model that export_maps writes beside the maps.
     std::filesystem::path export_target(const std::filesystem::path& folder) const;
-    /// Of a saved view: as wide for its height as the viewport.
-    render::PictureSize still_size() const;
+    /// Width / height of the viewport.
+    float viewport_aspect() const { return viewport_aspect_; }
     /// A picture of what the viewport shows: PNG as seen, EXR in linear radiance.
-    void save_view(const std::filesystem::path& path, const ViewState& view);
+    void save_view(const std::filesystem::path& path, const ViewState& view,
+                   const StillOptions& options);
     /// Writes a preset of layers of the document into the user's own folder and puts it into the
     /// shelf. Its id is made of its name; one of the user's with that id is replaced.
     void save_preset(Preset preset);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <future>
 #include <utility>
 
@@ -24,9 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// So many that every draw samples the environment, as the refined viewport does.
-constexpr int kStillSamples = 64;
-constexpr float kStillPixels = 1920.0f * 1080.0f;
 constexpr auto kCancelPoll = std::chrono::milliseconds(50);
 
 /// The document with its groups folded as they are seen: not an edit, but the file tells the next
@@ -159,12 +155,6 @@ void Session::export_maps(const fs::path& folder, const io::MapExportOptions& op
     });
 }
 
-render::PictureSize Session::still_size() const {
-    const float height = std::sqrt(kStillPixels / viewport_aspect_);
-    return {static_cast<int>(std::lround(height * viewport_aspect_)),
-            static_cast<int>(std::lround(height))};
-}
-
 void Session::save_preset(Preset preset) {
     const fs::path folder = io::user_preset_folder();
     if (folder.empty())
@@ -193,15 +183,17 @@ void Session::save_preset(Preset preset) {
     });
 }
 
-void Session::save_view(const fs::path& path, const ViewState& state) {
+void Session::save_view(const fs::path& path, const ViewState& state, const StillOptions& options) {
     if (still_) return toast(ToastKind::Note, "A view is being saved: wait until it is done");
     auto work = std::make_shared<StillWork>();
     const bool linear = io::image_format_of(path) == io::ImageFormat::Exr;
-    work->still = {
-        .view = state.view, .size = still_size(), .samples = kStillSamples, .linear = linear};
+    work->still = {.view = state.view,
+                   .size = still_size(options.height, viewport_aspect_),
+                   .samples = options.samples,
+                   .linear = linear};
     // The studio's backdrop is painted for a screen and has no place in linear light.
     render::Background& background = work->still.view.background;
-    if (linear && background.kind == render::Background::Kind::Studio)
+    if (options.transparent || (linear && background.kind == render::Background::Kind::Studio))
         background.kind = render::Background::Kind::Transparent;
     work->still.view.lights = document().lights;
     work->still.view.environment_rotation_degrees = document().environment.rotation_degrees;
