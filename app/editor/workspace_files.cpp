@@ -114,7 +114,7 @@ void Workspace::ask_save_view() {
         ask_file({.title = "Save the view",
                   .button = "Save",
                   .extensions = {".png", ".exr"},
-                  .name = "view.png",
+                  .name = session_->file_name().stem().string() + ".png",
                   .writing = true,
                   .chosen = [this, options](const fs::path& path) {
                       session_->save_view(path, view_, options);

@@ -159,8 +159,10 @@ SideCost side_cost(RendererState& state, const Shading& shading, FrameSide side)
     SideCost cost;
     cost.passes = state.timers.costs(side);
     cost.frame_ms = total_ms(cost.passes);
+    // Of frames, or where none was drawn, of stills.
+    const std::size_t of_frames = state.gbuffer.bytes();
     if (!is_forward(state.drawn_view, shading))
-        cost.gbuffer_bytes = state.gbuffer.plain.bytes() + state.gbuffer.with_surface.bytes();
+        cost.gbuffer_bytes = of_frames > 0 ? of_frames : state.still_gbuffer.bytes();
     if (shading.model == ShadingModel::Pbr && state.environment)
         cost.environment_bytes = state.environment->bytes() + tables_bytes(state, shading.terms);
     return cost;

@@ -2,6 +2,7 @@
 #include "render/gpu_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "scene/uv_density.h"
@@ -59,14 +60,24 @@ Bounds bounds_of(const Primitive& primitive, const glm::mat4& world_from_local) 
 }
 
 /// The first vertex array of each mesh.
-std::vector<std::size_t> upload_meshes(const Scene& scene, std::vector<gl::VertexArray>& arrays) {
+std::vector<std::size_t> upload_meshes(GpuScene& gpu) {
     std::vector<std::size_t> first_of_mesh;
-    for (const Mesh& mesh : scene.meshes) {
-        first_of_mesh.push_back(arrays.size());
-        for (const Primitive& primitive : mesh.primitives)
-            arrays.push_back(upload_primitive(primitive, "mesh " + mesh.name));
+    for (const Mesh& mesh : gpu.scene->meshes) {
+        first_of_mesh.push_back(gpu.vertex_arrays.size());
+        for (const Primitive& primitive : mesh.primitives) {
+            gpu.vertex_arrays.push_back(upload_primitive(primitive, "mesh " + mesh.name));
+            const auto length = [&](int uv_set) {
+                return uv_areas(primitive, glm::mat4(1.0f), uv_set).length_per_uv(0.0f);
+            };
+            gpu.lengths_per_uv.push_back({length(0), length(1)});
+        }
     }
     return first_of_mesh;
+}
+
+/// How much longer lengths are in the world, in the mean over all directions.
+float mean_scale(const glm::mat4& world_from_local) {
+    return std::cbrt(std::abs(glm::determinant(glm::mat3(world_from_local))));
 }
 
 }  // namespace
@@ -74,7 +85,7 @@ std::vector<std::size_t> upload_meshes(const Scene& scene, std::vector<gl::Verte
 GpuScene upload_scene(ScenePtr scene) {
     GpuScene gpu;
     gpu.scene = std::move(scene);
-    const std::vector<std::size_t> first_of_mesh = upload_meshes(*gpu.scene, gpu.vertex_arrays);
+    const std::vector<std::size_t> first_of_mesh = upload_meshes(gpu);
     gpu.sorted_along_local.assign(gpu.vertex_arrays.size(), glm::vec3(0.0f));
     for (std::size_t i = 0; i < gpu.scene->instances.size(); ++i) {
         const MeshInstance& instance = gpu.scene->instances[i];
@@ -84,9 +95,6 @@ GpuScene upload_scene(ScenePtr scene) {
             const Primitive& primitive = mesh.primitives[p];
             if (primitive.indices.empty()) continue;
             const Bounds bounds = bounds_of(primitive, instance.world_from_local);
-            const auto length = [&](int uv_set) {
-                return uv_areas(primitive, instance.world_from_local, uv_set).length_per_uv(0.0f);
-            };
             gpu.bounds_world.include(bounds.low);
             gpu.bounds_world.include(bounds.high);
             gpu.triangles += primitive.indices.size() / 3;
@@ -97,8 +105,7 @@ GpuScene upload_scene(ScenePtr scene) {
                  .source_material = primitive.source_material,
                  .world_from_local = instance.world_from_local,
                  .mirrored = glm::determinant(glm::mat3(instance.world_from_local)) < 0.0f,
-                 .bounds_world = bounds,
-                 .length_per_uv = {length(0), length(1)}});
+                 .bounds_world = bounds});
         }
     }
     return gpu;
@@ -113,7 +120,9 @@ float texels_seen(const GpuScene& scene, int source_material, int uv_set, const 
             glm::clamp(camera.position, item.bounds_world.low, item.bounds_world.high);
         const float pixels =
             pixels_per_metre(camera, picture_height, glm::distance(camera.position, nearest));
-        most = std::max(most, item.length_per_uv[static_cast<std::size_t>(uv_set)] * pixels);
+        const float metres = scene.lengths_per_uv[item.vertices][static_cast<std::size_t>(uv_set)] *
+                             mean_scale(item.world_from_local);
+        most = std::max(most, metres * pixels);
     }
     return most;
 }

@@ -22,13 +22,13 @@ struct DrawItem {
     glm::mat4 world_from_local = glm::mat4(1.0f);
     bool mirrored = false;  ///< world_from_local turns the winding round
     Bounds bounds_world;
-    /// See UvAreas: of each UV set in metres, 0 without UVs.
-    std::array<float, 2> length_per_uv = {0.0f, 0.0f};
 };
 
 struct GpuScene {
     ScenePtr scene;
     std::vector<gl::VertexArray> vertex_arrays;
+    /// See UvAreas: of each vertex array and UV set in its own space, 0 without UVs.
+    std::vector<std::array<float, 2>> lengths_per_uv;
     /// Which way the triangles of each vertex array are sorted, see sort_triangles; 0: not at all.
     std::vector<glm::vec3> sorted_along_local;
     std::vector<DrawItem> items;

@@ -42,7 +42,7 @@ class SizedTarget {
 
 /// What base colour, metalness and F90 are kept in.
 enum class GBufferPrecision {
-    Bytes,  ///< for frames: half the traffic
+    Bytes,  ///< for frames: half the traffic of their target
     Halves  ///< for means of many draws: rounding to bytes would be 0.7 % of a colour in each of
             ///< them
 };
@@ -53,6 +53,7 @@ struct GBufferTargets {
     GBufferTargets(const std::string& label, GBufferPrecision precision);
     SizedTarget plain;
     SizedTarget with_surface;
+    std::size_t bytes() const { return plain.bytes() + with_surface.bytes(); }
 };
 
 struct RendererState {

@@ -216,14 +216,14 @@ TEST_F(FilesTest, AViewIsSavedInTheSizeAndOnTheBackgroundThatAreChosen) {
     choose("Background", "Transparent");
     ASSERT_TRUE(editor.click("Save the view", "Choose a file\u2026", "button"));
     ASSERT_TRUE(editor.click("File dialog", "Save", "button"));
-    const fs::path saved = folder_ / "view.png";
+    const fs::path saved = folder_ / "sample.png";
     ASSERT_TRUE(editor.wait_for("the toast", [&] {
         const auto controls = editor.controls();
         return fs::exists(saved) &&
                std::any_of(controls.begin(), controls.end(),
-                           [](const auto& c) { return c.label == "Saved view.png"; });
+                           [](const auto& c) { return c.label == "Saved sample.png"; });
     }));
-    const auto picture = io::decode_image(*read_file(saved), "view.png");
+    const auto picture = io::decode_image(*read_file(saved), "sample.png");
     ASSERT_TRUE(picture) << picture.error().message;
     EXPECT_EQ((*picture)->height, 540);
     ASSERT_EQ((*picture)->channels, 4);

@@ -295,7 +295,7 @@ class NightlyTruth : public TruthTest, public testing::WithParamInterface<const 
     }
     ImagePtr map() {
         const std::string name = GetParam();
-        if (name != "sky") return asset(name);
+        if (name != "sky" && name != "studio") return asset(name);
         return std::make_shared<const Image>(value_of(builtin_environment(name, 256)));
     }
 };
@@ -320,6 +320,7 @@ TEST_P(NightlyTruth, FourThousandSamplesAreWithinSixTenthsOfWhatAThousandMayMiss
 TEST_P(NightlyTruth, SixtyFourThousandSamplesAreTheIntegral) {
     const ImagePtr environment = map();
     if (environment == nullptr) GTEST_SKIP() << "the shared environments are not there";
+    size_ = {48, 48};  // a pixel converges by itself
     const glm::vec3 base(0.9f, 0.6f, 0.3f);
     for (const auto& [group, error] :
          errors(*environment, 65536, {{base, 1.0f, 1.0f / 3.0f}, {base, 0.0f, 0.5f}}))
@@ -327,7 +328,7 @@ TEST_P(NightlyTruth, SixtyFourThousandSamplesAreTheIntegral) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Environments, NightlyTruth,
-                         testing::Values("sky", "chinese_garden_1k", "noon_grass_1k"),
+                         testing::Values("studio", "sky", "chinese_garden_1k", "noon_grass_1k"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
