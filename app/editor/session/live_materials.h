@@ -34,7 +34,7 @@ class LiveMaterials {
     /// A material to show. One of those of the document, or what stands in for it.
     struct Wanted {
         MaterialPtr material;
-        int seen_size = 0;  ///< side of maps that are as fine as the picture: what is made at once
+        int seen_size = 0;  ///< side of maps that are as fine as what moves is drawn: made at once
     };
 
     /// @param wake  called from the worker when there is something to take

@@ -275,12 +275,13 @@ MaterialPtr Session::part_of(const MaterialPtr& material, const ViewState& view)
     return part_shown_;
 }
 
-/// The smallest power of two at which no texel is wider than a pixel, within what an edit can wait
-/// for.
+/// The smallest power of two at which no texel is wider than two pixels, within what an edit can
+/// wait for: what moves is drawn at half its size, and what rests is soon made at its full one.
 int Session::seen_size(const Material& material, const ViewState& view, int picture_height) const {
     constexpr int kLeast = 256, kMost = 2048;
-    const float texels = picture_.texels_seen(material.source_material.value_or(-1),
-                                              material.uv_set, view.view.camera, picture_height);
+    const float texels =
+        picture_.texels_seen(material.source_material.value_or(-1), material.uv_set,
+                             view.view.camera, picture_height / 2);
     int size = kLeast;
     while (size < kMost && static_cast<float>(size) < texels) size *= 2;
     return size;
