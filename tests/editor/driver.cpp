@@ -342,6 +342,13 @@ bool Editor::click(const std::string& place, const std::string& label,
     return wait_for("the menu to close", [&] { return !find(place, label, kind).has_value(); });
 }
 
+bool Editor::double_click(const std::string& place, const std::string& label,
+                          const std::string& kind) const {
+    if (!point_at_control(place, label, kind)) return false;
+    run_tool({"xdotool", "click", "--repeat", "2", "--delay", "60", "1"}, display_);
+    return true;
+}
+
 bool Editor::drag(const std::string& place, const std::string& label, const std::string& kind,
                   double from_share, double to_share) const {
     if (!wait_for(label, [&] { return find(place, label, kind).has_value(); })) return false;

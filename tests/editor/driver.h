@@ -91,6 +91,8 @@ class Editor {
 
     /// Each waits for the control to be there and enabled, then acts on it.
     bool click(const std::string& place, const std::string& label, const std::string& kind) const;
+    bool double_click(const std::string& place, const std::string& label,
+                      const std::string& kind) const;
     /// With the right button.
     bool open_menu(const std::string& place, const std::string& label,
                    const std::string& kind) const;

@@ -58,6 +58,17 @@ TEST_F(ShelfTest, FavouritesAreShownAloneAndRemembered) {
     EXPECT_EQ(cards(again).front(), favourite);
 }
 
+TEST_F(ShelfTest, ADoubleClickLaysAPresetOnOnce) {
+    const fs::path file = sample();
+    Editor editor(display_.name(), folder_, arguments(file));
+    ASSERT_TRUE(open(editor, file));
+    ASSERT_TRUE(editor.double_click("Shelf", "Asphalt", "card"));
+    ASSERT_TRUE(editor.wait_fact("layer", "Asphalt"));
+    ASSERT_TRUE(editor.settle());
+    EXPECT_EQ(editor.layers().size(), 2u);
+    EXPECT_EQ(editor.fact("steps"), "2") << "opened, laid on";
+}
+
 TEST_F(ShelfTest, KnobsAreTurnedBeforeAPresetIsLaidOn) {
     const fs::path file = sample();
     Editor editor(display_.name(), folder_, arguments(file));

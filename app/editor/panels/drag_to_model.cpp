@@ -49,7 +49,10 @@ Requests dropped_on_model(const Carried& dragged, float x, float y) {
 bool clicked_or_dragged(const Ui& ui, const Press& pressed, DragToModel dragged, ViewState& view) {
     if (pressed.started) view.drag_to_model = std::move(dragged);
     if (pressed.held && drag_has_begun(ui)) view.drag_to_model.moving = true;
-    return pressed.clicked && !view.drag_to_model.moving;
+    // Who is used to double clicks wants it once all the same.
+    const bool once_more =
+        pressed.released && ImGui::GetIO().MouseClickedLastCount[ImGuiMouseButton_Left] > 1;
+    return pressed.clicked && !once_more && !view.drag_to_model.moving;
 }
 
 Requests carry_to_model(Ui& ui, const Rect& viewport, const Rect& layers, const Shown& shown,

@@ -27,7 +27,7 @@ void draw_difference_plot(Ui& ui, const Rect& rect, const render::DifferenceStat
                           float range);
 Requests draw_shelf(Ui& ui, const Rect& rect, const Shown& shown, ViewState& view);
 /// Follows a card or row that can be dragged to the model. True when it was clicked, and neither
-/// dragged away nor dropped again.
+/// dragged away nor dropped again; the second click of a double one is none.
 bool clicked_or_dragged(const Ui& ui, const Press& pressed, DragToModel dragged, ViewState& view);
 /// Carries what is dragged there: its ghost, and the drop on the model or the layer list.
 Requests carry_to_model(Ui& ui, const Rect& viewport, const Rect& layers, const Shown& shown,
