@@ -295,7 +295,7 @@ class NightlyTruth : public TruthTest, public testing::WithParamInterface<const 
     }
     ImagePtr map() {
         const std::string name = GetParam();
-        if (name != "sky" && name != "studio") return asset(name);
+        if (name != "sky") return asset(name);
         return std::make_shared<const Image>(value_of(builtin_environment(name, 256)));
     }
 };
@@ -327,7 +327,7 @@ TEST_P(NightlyTruth, SixtyFourThousandSamplesAreTheIntegral) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Environments, NightlyTruth,
-                         testing::Values("studio", "sky", "chinese_garden_1k", "noon_grass_1k"),
+                         testing::Values("sky", "chinese_garden_1k", "noon_grass_1k"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
