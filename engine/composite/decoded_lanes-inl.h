@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-/// Linear light of sRGB-encoded bytes, for the kernels that read images.
+/// The bytes of texels, and the linear light of those that are sRGB-encoded, for the kernels that
+/// read images.
 
 #if defined(PATINA_COMPOSITE_DECODED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PATINA_COMPOSITE_DECODED_LANES_INL_H
@@ -17,6 +18,14 @@ namespace patina::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// One component of lane_count() RGBA8 texels, which are one 32-bit number each.
+template <int kIndex>
+HWY_INLINE hn::Vec<formulae::IntLanes> byte_of(hn::Vec<formulae::UintLanes> texels) {
+    const auto byte =
+        hn::And(hn::ShiftRight<8 * kIndex>(texels), hn::Set(formulae::UintLanes(), 0xffu));
+    return hn::BitCast(formulae::IntLanes(), byte);
+}
 
 /// One byte a lane.
 HWY_INLINE Real decoded(const DecodedBytes& table, hn::Vec<formulae::IntLanes> byte) {
@@ -63,13 +72,9 @@ HWY_INLINE void decoded_rgb(const DecodedBytes& table, hn::Vec<formulae::UintLan
 #else
 HWY_INLINE void decoded_rgb(const DecodedBytes& table, hn::Vec<formulae::UintLanes> texels,
                             Real out[3]) {
-    const auto byte = [](hn::Vec<formulae::UintLanes> shifted) {
-        return hn::BitCast(formulae::IntLanes(),
-                           hn::And(shifted, hn::Set(formulae::UintLanes(), 0xffu)));
-    };
-    out[0] = decoded(table, byte(texels));
-    out[1] = decoded(table, byte(hn::ShiftRight<8>(texels)));
-    out[2] = decoded(table, byte(hn::ShiftRight<16>(texels)));
+    out[0] = decoded(table, byte_of<0>(texels));
+    out[1] = decoded(table, byte_of<1>(texels));
+    out[2] = decoded(table, byte_of<2>(texels));
 }
 #endif
 

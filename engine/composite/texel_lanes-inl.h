@@ -23,14 +23,6 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using formulae::RealLanes;
 
-/// One component of lane_count() RGBA8 texels, which are one 32-bit number each.
-template <int kIndex>
-HWY_INLINE hn::Vec<formulae::IntLanes> byte_of(hn::Vec<formulae::UintLanes> texels) {
-    const auto byte =
-        hn::And(hn::ShiftRight<8 * kIndex>(texels), hn::Set(formulae::UintLanes(), 0xffu));
-    return hn::BitCast(formulae::IntLanes(), byte);
-}
-
 /// Lanes of stored numbers as floats in 0..1.
 HWY_INLINE Real unit(hn::Vec<hn::Rebind<std::uint8_t, RealLanes>> stored) {
     const auto wide = hn::PromoteTo(formulae::IntLanes(), stored);

@@ -3,10 +3,8 @@
 /// Spheres and rectangles in pictures: what draws converge to is the integral of the BRDF over the
 /// lamp, in double precision; what is drawn while things move is near it.
 
-#include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 
 #include "core/formulae/formulae.h"
 #include "render/light_block.h"
@@ -152,15 +150,10 @@ const std::vector<ReflectingMaterial>& materials() {
 }
 
 TEST_F(AreaLightTest, ManyDrawsConvergeToTheIntegralOverTheLamp) {
-    // What one point of the lamp stands for is smallest beside the lobe of a smooth metal.
-    constexpr std::array<std::pair<std::size_t, double>, 3> kMost = {
-        {{0, 0.015}, {2, 0.045}, {4, 0.01}}};
     for (const Light& light : {sphere_light(), rectangle_light()})
-        for (const auto& [index, most] : kMost) {
-            const ReflectingMaterial& material = materials()[index];
-            EXPECT_LT(error_of(light, material, 256), most)
+        for (const ReflectingMaterial& material : materials())
+            EXPECT_LT(error_of(light, material, 512), 0.03)
                 << light.name << " " << material.metalness << " " << material.roughness;
-        }
 }
 
 TEST_F(AreaLightTest, OneDrawIsNearTheIntegral) {
