@@ -67,6 +67,8 @@ struct ImageSource {
     bool invert = false;             ///< 1 - value, of the stored numbers
     bool directx_normal = false;     ///< a normal map with -Y up
     bool alpha_is_coverage = false;  ///< the image's alpha scales the weight of the layer there
+    /// TEXCOORD_n, 0 or 1, of an image that a slot shows untouched (SlotImage); a bake reads every
+    /// image by Material::uv_set.
     int uv_set = 0;
     Projection projection = {};
     UvTransform transform = {};

@@ -95,7 +95,18 @@ class DocumentReader {
         records_[index] = std::move(*record);
     }
 
+    void warn_of_uv_sets(std::size_t index) {
+        const MaterialValues values = material_values(parts_.model.materials[index]);
+        for (const TextureUse* use : values.textures())
+            if (use->texture >= 0 && use->named_uv_set > kMaxReadUvSet)
+                return warn(index,
+                            fmt::format("its maps name TEXCOORD_{}, which Patina does not read; "
+                                        "TEXCOORD_0 is used",
+                                        use->named_uv_set));
+    }
+
     void add_material(std::size_t index) {
+        warn_of_uv_sets(index);
         Material material = with_ids_of_place(
             imported_material(parts_.model, static_cast<int>(index), parts_.images), index);
         if (records_[index]) {

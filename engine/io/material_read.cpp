@@ -145,7 +145,7 @@ int resolution_of(const Model& model, const MaterialValues& source, const FileIm
 /// The UV set of the base map, or of the first map there is.
 int uv_set_of(const MaterialValues& source) {
     for (const TextureUse* use : source.slots())
-        if (use->texture >= 0) return std::min(use->uv_set, 1);
+        if (use->texture >= 0) return use->uv_set;
     return 0;
 }
 

@@ -39,6 +39,10 @@ struct MaterialValues {
     std::array<const TextureUse*, 5> slots() const {
         return {&base_color, &metallic_roughness, &normal, &occlusion, &emissive};
     }
+    std::array<const TextureUse*, 7> textures() const {
+        return {&base_color, &metallic_roughness, &normal,        &occlusion,
+                &emissive,   &specular,           &specular_color};
+    }
 };
 
 MaterialValues material_values(const tinygltf::Material& material);

@@ -207,8 +207,7 @@ int tangent_uv_set(const GltfData& data, const MeshPrimitive& source, const Prim
     if (source.material < 0) return 0;
     const auto& material = data.model.materials[static_cast<std::size_t>(source.material)];
     const TextureUse normal = texture_use(material.normalTexture);
-    const int set = normal.texture >= 0 ? normal.uv_set : 0;
-    return set == 1 && !primitive.uvs[1].empty() ? 1 : 0;
+    return normal.texture >= 0 && normal.uv_set == 1 && !primitive.uvs[1].empty() ? 1 : 0;
 }
 
 void complete_frames(const GltfData& data, const MeshPrimitive& source, Primitive& primitive) {

@@ -6,8 +6,11 @@
 namespace patina::io {
 namespace {
 
-TextureUse transformed(TextureUse use, const tinygltf::Value& transform) {
-    if (const int set = index_in(transform, "texCoord"); set >= 0) use.uv_set = set;
+/// @param uv_set  what the slot names; a transform may name another
+TextureUse use_of(int texture, int uv_set, const tinygltf::Value& transform) {
+    TextureUse use{.texture = texture, .named_uv_set = uv_set, .transform = {}};
+    if (const int set = index_in(transform, "texCoord"); set >= 0) use.named_uv_set = set;
+    if (use.named_uv_set <= kMaxReadUvSet) use.uv_set = use.named_uv_set;
     numbers_in(transform, "offset", std::span(&use.transform.offset.x, 2));
     numbers_in(transform, "scale", std::span(&use.transform.scale.x, 2));
     use.transform.rotation_degrees =
@@ -17,8 +20,8 @@ TextureUse transformed(TextureUse use, const tinygltf::Value& transform) {
 
 template <typename Info>
 TextureUse use_of_info(const Info& info) {
-    return transformed({.texture = info.index, .uv_set = info.texCoord, .transform = {}},
-                       extension_of(info.extensions, "KHR_texture_transform"));
+    return use_of(info.index, info.texCoord,
+                  extension_of(info.extensions, "KHR_texture_transform"));
 }
 
 const tinygltf::Value& member(const tinygltf::Value& object, const char* key) {
@@ -40,10 +43,8 @@ TextureUse texture_use(const tinygltf::OcclusionTextureInfo& info) {
 
 TextureUse texture_use(const tinygltf::Value& extension, const char* key) {
     const tinygltf::Value& info = member(extension, key);
-    const int set = index_in(info, "texCoord");
-    return transformed(
-        {.texture = index_in(info, "index"), .uv_set = std::max(set, 0), .transform = {}},
-        member(member(info, "extensions"), "KHR_texture_transform"));
+    return use_of(index_in(info, "index"), std::max(index_in(info, "texCoord"), 0),
+                  member(member(info, "extensions"), "KHR_texture_transform"));
 }
 
 int image_index(const tinygltf::Model& model, const TextureUse& use) {

@@ -11,7 +11,10 @@
 
 namespace patina::io {
 
+/// The highest TEXCOORD_n that a file may name.
 inline constexpr int kMaxUvSet = 15;
+/// The highest that Patina reads. Maps that name another are shown by TEXCOORD_0.
+inline constexpr int kMaxReadUvSet = 1;
 
 /// Extensions that give a texture an image in another format than glTF's own.
 inline constexpr std::array kImageFormatExtensions = {"EXT_texture_webp", "KHR_texture_basisu",
@@ -20,7 +23,8 @@ inline constexpr std::array kImageFormatExtensions = {"EXT_texture_webp", "KHR_t
 /// A material's use of a texture; absent while `texture` is -1.
 struct TextureUse {
     int texture = -1;
-    int uv_set = 0;
+    int uv_set = 0;        ///< TEXCOORD_n that is read, 0 to kMaxReadUvSet
+    int named_uv_set = 0;  ///< TEXCOORD_n that the file names, 0 to kMaxUvSet
     UvTransform transform;
 };
 

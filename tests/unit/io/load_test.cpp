@@ -281,6 +281,26 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
     EXPECT_EQ((*loaded->images->pixels(image.hash))->data[1], std::byte{100});
 }
 
+TEST(Load, ShowsMapsOfUvSetsThatItDoesNotReadByTheFirstAndSaysSoOnce) {
+    auto sample = test::sample_gltf();
+    Json& source = sample.json["materials"][0];
+    source["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
+    source["normalTexture"]["extensions"]["KHR_texture_transform"]["texCoord"] = 15;
+    source["extensions"]["KHR_materials_specular"]["specularTexture"] = {{"index", 0},
+                                                                         {"texCoord", 3}};
+    const auto loaded = test::load_from(sample.json, sample.binary);
+    ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
+    ASSERT_EQ(loaded->warnings.size(), 1u);
+    EXPECT_EQ(loaded->warnings.front(),
+              "model.glb: /materials/0: its maps name TEXCOORD_2, which Patina does not read; "
+              "TEXCOORD_0 is used");
+    const Material& material = *loaded->document->materials.at(0);
+    EXPECT_EQ(material.uv_set, 0);
+    EXPECT_EQ(material.specular_map->uv_set, 0);
+    for (const Channel channel : {Channel::BaseColor, Channel::Normal})
+        EXPECT_EQ(std::get<ImageSource>(channel_of(material, channel).source).uv_set, 0);
+}
+
 TEST(Load, GivesPrimitivesWithoutMaterialTheDefaultOfTheStandard) {
     auto sample = test::sample_gltf();
     sample.json["meshes"][0]["primitives"][0].erase("material");

@@ -12,6 +12,7 @@
 #include "io/image_file.h"
 #include "io/json_splice.h"
 #include "io/png_writer.h"
+#include "io/sample_gltf.h"
 #include "io/save_fixture.h"
 
 namespace patina::io {
@@ -69,6 +70,17 @@ TEST_F(Save, AnUntouchedImageIsShownAsItIsWithFactorTransformAndWrap) {
     EXPECT_NE(std::search(binary.begin(), binary.end(), encoded->begin(), encoded->end()),
               binary.end())
         << "the bytes of the image went in as they were";
+    EXPECT_TRUE(serialise(*loaded(path).document) == serialise(edited));
+}
+
+TEST_F(Save, LayersOverAMapOfAUvSetThatIsNotReadComeBack) {
+    auto sample = test::sample_gltf();
+    sample.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
+    const auto document = test::load_from(sample.json, sample.binary);
+    ASSERT_TRUE(document.has_value()) << document.error().message;
+    const Document edited = with_noise_layer(*document->document, 0);
+    const auto path = folder_ / "a.glb";
+    saved(edited, *document->images, path);
     EXPECT_TRUE(serialise(*loaded(path).document) == serialise(edited));
 }
 
