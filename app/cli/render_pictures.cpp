@@ -9,6 +9,7 @@
 #include "cli/input.h"
 #include "cli/render_camera.h"
 #include "core/log.h"
+#include "io/image_decode.h"
 #include "io/image_file.h"
 #include "render/environment.h"
 

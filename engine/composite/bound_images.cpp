@@ -51,18 +51,14 @@ std::vector<bool> needed_images(const ProgramData& program, ChannelBits wanted) 
 }
 
 std::vector<Result<ImagePtr>> fetched_images(const ProgramData& program, ChannelBits wanted,
-                                             ImageProvider& images, MissingImages missing) {
+                                             ImageProvider& images) {
     const std::vector<bool> needed = needed_images(program, wanted);
     std::vector<Result<ImagePtr>> fetched(program.images.size(), ImagePtr());
     parallel_for(0, static_cast<std::int64_t>(needed.size()), 1,
                  [&](std::int64_t first, std::int64_t last) {
                      for (std::size_t i = static_cast<std::size_t>(first);
-                          i < static_cast<std::size_t>(last); ++i) {
-                         if (!needed[i]) continue;
-                         const Hash128& hash = program.images[i];
-                         fetched[i] = missing == MissingImages::Wait ? images.pixels(hash)
-                                                                     : images.pixels_if_ready(hash);
-                     }
+                          i < static_cast<std::size_t>(last); ++i)
+                         if (needed[i]) fetched[i] = images.pixels(program.images[i]);
                  });
     return fetched;
 }
@@ -156,11 +152,11 @@ BoundImage bound_placeholder(const SourceRecord& record) {
 }  // namespace
 
 BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size,
-                        ImageProvider& images, MissingImages missing, ReducedImages& reduced) {
+                        ImageProvider& images, ReducedImages& reduced) {
     wanted = program.with_needed(wanted);
     BoundImages bound;
     if (program.surface != nullptr) bound.surface_map = program.surface->map(size);
-    const auto fetched = fetched_images(program, wanted, images, missing);
+    const auto fetched = fetched_images(program, wanted, images);
     for (const auto& image : fetched)
         if (!image) bound.failures.push_back(image.error().message);
     for (const SourceRecord& record : program.sources) {
@@ -172,9 +168,6 @@ BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size
             there ? bound_image(record, program.images[index], *fetched[index], size, reduced)
                   : bound_placeholder(record);
     }
-    const std::vector<bool> needed = needed_images(program, wanted);
-    for (std::size_t i = 0; i < needed.size(); ++i)
-        bound.waiting |= needed[i] && fetched[i].has_value() && *fetched[i] == nullptr;
     return bound;
 }
 
@@ -184,7 +177,7 @@ Result<BoundImages> images_for_bake(const ProgramData& program, ChannelBits want
     if (size < 1 || size > kLargestSide)
         return failure("maps of {} texels a side cannot be baked: 1 to {} can", size, kLargestSide);
     ReducedImages reduced;
-    BoundImages bound = bind_images(program, wanted, size, images, MissingImages::Wait, reduced);
+    BoundImages bound = bind_images(program, wanted, size, images, reduced);
     if (!bound.failures.empty()) return failure("{}", bound.failures.front());
     return bound;
 }

@@ -27,25 +27,22 @@ struct BoundImage {
     ImagePtr image;  ///< the original or a smaller copy; null for other sources
     ImageReading reading = {};
     bool texel_for_texel = false;  ///< it lies on the texels of the map: rows are read as they are
-    bool placeholder = false;      ///< the pixels are not at hand
+    bool placeholder = false;      ///< the pixels are not there, or not needed
 };
 
 struct BoundImages {
     std::vector<BoundImage> sources;    ///< one for each of ProgramData::sources
-    std::vector<std::string> failures;  ///< of images that cannot be decoded
-    bool waiting = false;               ///< some image is still being decoded
+    std::vector<std::string> failures;  ///< of images that are not there
     UvMapPtr surface_map;               ///< of ProgramData::surface; null where there is none
 };
 
-enum class MissingImages { Wait, ShowPlaceholder };
-
-/// Binds the images that the channels in `wanted` need at `size` texels a side. With
-/// ShowPlaceholder those that are not at hand become a grey checker.
+/// Binds the images that the channels in `wanted` need at `size` texels a side. Those that are not
+/// there become a grey checker.
 BoundImages bind_images(const ProgramData& program, ChannelBits wanted, int size,
-                        ImageProvider& images, MissingImages missing, ReducedImages& reduced);
+                        ImageProvider& images, ReducedImages& reduced);
 
-/// The same for a bake, which waits for the images. A `size` that is not 1 to 16384 and an image
-/// that cannot be decoded are failures.
+/// The same for a bake. A `size` that is not 1 to 16384 and an image that is not there are
+/// failures.
 Result<BoundImages> images_for_bake(const ProgramData& program, ChannelBits wanted, int size,
                                     ImageProvider& images);
 

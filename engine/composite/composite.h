@@ -38,8 +38,8 @@ struct MapSet {
 /// slot that shows an untouched image counts too, for whoever draws the composite instead of it.
 std::vector<BakedMap> maps_of(const Program& program);
 
-/// Bakes whole maps, without any cache. Images that cannot be decoded are a failure that names
-/// them. `size` is 1 to 16384, a power of two or not.
+/// Bakes whole maps, without any cache. An image that is not there is a failure that names it.
+/// `size` is 1 to 16384, a power of two or not.
 /// @param wanted  the maps to make; see Program::slots for those that a material needs
 Result<MapSet> bake_maps(const Program& program, ImageProvider& images, int size,
                          const std::vector<BakedMap>& wanted, const Progress& progress = {});
@@ -55,13 +55,12 @@ class LiveComposite {
 
     struct Update {
         std::vector<BakedMap> changed_maps;
-        TexelRect changed;            ///< in texels of `size`; the whole map when it was made anew
-        bool images_missing = false;  ///< some image is still being decoded: ask again later
+        TexelRect changed;  ///< in texels of `size`; the whole map when it was made anew
         double elapsed_ms = 0.0;
     };
     /// Brings the maps of `maps_of(program)` up to date at `size` texels a side (the others become
-    /// null: all their slots are constant); equals bake_maps bit for bit. Images that cannot be
-    /// decoded show as a grey checker and are named in the log once.
+    /// null: all their slots are constant); equals bake_maps bit for bit. Images that are not
+    /// there show as a grey checker and are named in the log once.
     Result<Update> update(const Program& program, ImageProvider& images, int size,
                           const Progress& progress = {});
     /// The same where the caller knows that what is outside `within` is as at the last update (a

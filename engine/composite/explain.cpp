@@ -76,8 +76,7 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material,
     ChannelBits read = channel_bit(channel);
     if (bent) read |= channel_bit(Channel::Height);
     ReducedImages reduced;
-    const BoundImages bound =
-        bind_images(program, read, size, images, MissingImages::Wait, reduced);
+    const BoundImages bound = bind_images(program, read, size, images, reduced);
     if (!bound.failures.empty()) return failure("{}", bound.failures.front());
 
     std::vector<ExplainStep> steps;

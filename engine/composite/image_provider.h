@@ -3,8 +3,6 @@
 
 /// How pixels reach the compositor; `io` implements it.
 
-#include <functional>
-
 #include "core/result.h"
 #include "scene/image.h"
 
@@ -14,10 +12,8 @@ class ImageProvider {
   public:
     virtual ~ImageProvider() = default;
 
-    /// The decoded pixels of an image of the document, if they are at hand; null while they are
-    /// still being decoded. A failure is final (bad file) and says why. Any thread.
-    virtual Result<ImagePtr> pixels_if_ready(const Hash128& image) = 0;
-    /// The same, waiting for a decode that is under way.
+    /// The decoded pixels of an image of the document, never null; a failure says that it is not
+    /// there. Any thread.
     virtual Result<ImagePtr> pixels(const Hash128& image) = 0;
 };
 

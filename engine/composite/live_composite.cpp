@@ -161,12 +161,10 @@ Result<LiveComposite::Update> LiveComposite::update_within(const TexelRect& with
     const auto start = std::chrono::steady_clock::now();
     State& state = *state_;
     const ProgramData& data = program.data();
-    const BoundImages bound = bind_images(data, kAllChannels, size, images,
-                                          MissingImages::ShowPlaceholder, state.reduced);
+    const BoundImages bound = bind_images(data, kAllChannels, size, images, state.reduced);
     state.report(bound);
     const bool fresh = state.maps.size != size;
     Update update;
-    update.images_missing = bound.waiting;
     update.changed_maps = state.stale_maps(program, size, availability_hash(bound));
     if (update.changed_maps.empty()) return update;
 
@@ -183,7 +181,7 @@ Result<LiveComposite::Update> LiveComposite::update_within(const TexelRect& with
         job.targets[static_cast<std::size_t>(map)] = state.writable(map, size);
 
     // Placeholders would be cached under the hash of what they stand for.
-    const bool cacheable = !bound.waiting && bound.failures.empty();
+    const bool cacheable = bound.failures.empty();
     std::vector<CachePoint> stored;
     if (cacheable) job.caches = state.caches.readable(data, size, wanted);
     if (cacheable && job.rect == whole)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What is known of an encoded image before its pixels are decoded.
+/// Decoding one image from memory, and what is known of it before its pixels are decoded.
 
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +58,14 @@ Result<std::unique_ptr<OpenedImage>> open_image(std::span<const std::byte> encod
 
 /// Fails when the header states more than the limits allow.
 Status check_image_size(const ImageHeader& header, const ImageLimits& limits);
+
+/// Decodes PNG and plain TIFF by Patina's readers, any other format that OpenImageIO reads from
+/// memory by that. The size is read from the header and checked before pixels are decoded. 8-bit
+/// stays U8, 16-bit integers U16, half and float F32 (infinities and NaN become the largest finite
+/// value and 0). Palettes are expanded.
+/// @param name  for messages and, where the content does not tell the format, its extension
+Result<ImagePtr> decode_image(std::span<const std::byte> encoded, std::string_view name,
+                              const ImageLimits& limits = {});
 
 /// Reads the header alone.
 Result<ImageHeader> read_image_header(std::span<const std::byte> encoded, std::string_view name);

@@ -244,21 +244,12 @@ void ImageStore::keep_only(std::span<const Hash128> images) {
     });
 }
 
-Result<ImagePtr> ImageStore::pixels_if_ready(const Hash128& image) {
+Result<ImagePtr> ImageStore::pixels(const Hash128& image) {
     const std::lock_guard lock(state_->mutex);
     const auto found = state_->pixels.find(image);
     if (found == state_->pixels.end())
         return failure("no image with the hash {} is known", to_hex(image));
     return found->second;
-}
-
-Result<ImagePtr> ImageStore::pixels(const Hash128& image) {
-    return pixels_if_ready(image);
-}
-
-std::size_t ImageStore::decoded_bytes() const {
-    const std::lock_guard lock(state_->mutex);
-    return state_->reserved_bytes;
 }
 
 }  // namespace patina::io

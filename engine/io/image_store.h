@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Encoded images in, pixels out: decoding through OpenImageIO with limits, on worker threads, each
-/// image once, kept by the hash of its content.
+/// Encoded images in, pixels out, each image decoded once and kept by the hash of its content.
+/// add() decodes on the calling thread; PNG and plain TIFF by Patina's readers, the rest by
+/// OpenImageIO.
 
 #include <filesystem>
 #include <memory>
@@ -18,16 +19,10 @@
 namespace patina::io {
 
 struct ImageLimits {
-    int max_side = 16384;
+    int max_side = 16384;  ///< of one image
+    /// Of one image, and of all that a store holds together.
     std::uint64_t max_decoded_bytes = std::uint64_t{2} << 30;
 };
-
-/// Decodes any format that OpenImageIO reads from memory. The size is read from the header and
-/// checked before pixels are decoded. 8-bit stays U8, 16-bit integers U16, half and float F32
-/// (infinities and NaN become the largest finite value and 0). Palettes are expanded.
-/// @param name  for messages and, where the content does not tell the format, its extension
-Result<ImagePtr> decode_image(std::span<const std::byte> encoded, std::string_view name,
-                              const ImageLimits& limits = {});
 
 class OpenedImage;
 
@@ -56,9 +51,7 @@ class ImageStore final : public ImageProvider {
     /// Forgets all pixels but these.
     void keep_only(std::span<const Hash128> images);
 
-    Result<ImagePtr> pixels_if_ready(const Hash128& image) override;
     Result<ImagePtr> pixels(const Hash128& image) override;
-    std::size_t decoded_bytes() const;
 
   private:
     Result<ImageAssetPtr> add_converted(std::span<const std::byte> file, std::string_view name);

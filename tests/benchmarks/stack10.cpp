@@ -112,7 +112,6 @@ ImagePtr made_image(int size, int channels, std::uint32_t seed, std::int64_t slo
 
 class Images final : public ImageProvider {
   public:
-    Result<ImagePtr> pixels_if_ready(const Hash128& image) override { return pixels(image); }
     Result<ImagePtr> pixels(const Hash128& image) override { return images.at(image); }
     std::map<Hash128, ImagePtr> images;
 };

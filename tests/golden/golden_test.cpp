@@ -11,8 +11,8 @@
 #include <string>
 
 #include "core/files.h"
+#include "io/image_decode.h"
 #include "io/image_file.h"
-#include "io/image_store.h"
 #include "render/render_test.h"
 
 namespace patina::render {

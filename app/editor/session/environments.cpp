@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/files.h"
-#include "io/image_store.h"
+#include "io/image_decode.h"
 #include "io/uri.h"
 #include "render/environment.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Images for tests, at hand at once unless they are held back.
+/// Images for tests.
 
 #include <map>
 #include <memory>
-#include <set>
 
 #include "composite/image_provider.h"
 
@@ -20,10 +19,6 @@ class ImageTable final : public ImageProvider {
         return hash;
     }
 
-    Result<ImagePtr> pixels_if_ready(const Hash128& image) override {
-        if (held_back.contains(image)) return ImagePtr();
-        return pixels(image);
-    }
     Result<ImagePtr> pixels(const Hash128& image) override {
         const auto found = images.find(image);
         if (found == images.end()) return failure("image {}: no such image", to_hex(image));
@@ -31,7 +26,6 @@ class ImageTable final : public ImageProvider {
     }
 
     std::map<Hash128, ImagePtr> images;
-    std::set<Hash128> held_back;  ///< as if they were still being decoded
 };
 
 }  // namespace patina

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "composite/composite.h"
-#include "io/image_store.h"
+#include "io/image_decode.h"
 #include "io/save.h"
 #include "save_fixture.h"
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "io/image_decode.h"
 #include "io/image_file.h"
 #include "io/map_packing.h"
 #include "sample_gltf.h"

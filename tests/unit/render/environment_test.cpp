@@ -10,6 +10,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "core/parallel.h"
+#include "io/image_decode.h"
 #include "io/load.h"
 #include "render/radiance_cube.h"
 #include "render/render_test.h"
