@@ -209,7 +209,7 @@ glm::vec3 total_power(const std::vector<TexelLight>& lights) {
 
 bool is_apart(const glm::vec3& towards, const std::vector<EnvironmentKey>& keys) {
     return std::none_of(keys.begin(), keys.end(), [&](const EnvironmentKey& key) {
-        return glm::dot(-key.direction_world, towards) > kBetweenKeysCosine;
+        return glm::dot(-key.direction_map, towards) > kBetweenKeysCosine;
     });
 }
 
@@ -246,7 +246,7 @@ EnvironmentKey key_around(const glm::vec3& axis, const std::vector<TexelLight>& 
     }
     EnvironmentKey key;
     key.irradiance_linear = glm::max(power - mean * cone_angle, glm::vec3(0.0f));
-    if (glm::length(towards) > 0.0f) key.direction_world = -glm::normalize(towards);
+    if (glm::length(towards) > 0.0f) key.direction_map = -glm::normalize(towards);
     return key;
 }
 

@@ -38,9 +38,11 @@ struct HalfCube {
 
 /// What is small and bright in a map: a sun, a lamp. Lit as a light of its own.
 struct EnvironmentSun {
-    glm::vec3 towards_world = glm::vec3(0.0f, 1.0f, 0.0f);  ///< unit
-    glm::vec3 irradiance_linear = glm::vec3(0.0f);          ///< on a surface that faces it
-    float radius_radians = 0.0f;                            ///< of a disc as wide
+    /// Unit, in the directions of the map; world_from_environment (gpu_environment.h) takes it to
+    /// the world.
+    glm::vec3 towards_map = glm::vec3(0.0f, 1.0f, 0.0f);
+    glm::vec3 irradiance_linear = glm::vec3(0.0f);  ///< on a surface that faces it
+    float radius_radians = 0.0f;                    ///< of a disc as wide
 };
 
 /// A sun is no even disc: so far from its middle, in its radii, a map is taken to be of it.
@@ -48,8 +50,9 @@ inline constexpr float kSunReach = 1.5f;
 
 /// A directional light that the traditional models have in place of a bright part of a map.
 struct EnvironmentKey {
-    glm::vec3 direction_world = glm::vec3(0.0f, -1.0f, 0.0f);  ///< the way it travels, unit
-    glm::vec3 irradiance_linear = glm::vec3(0.0f);             ///< on a surface that faces it
+    /// The way it travels, unit, in the directions of the map as EnvironmentSun::towards_map.
+    glm::vec3 direction_map = glm::vec3(0.0f, -1.0f, 0.0f);
+    glm::vec3 irradiance_linear = glm::vec3(0.0f);  ///< on a surface that faces it
     bool operator==(const EnvironmentKey&) const = default;
 };
 

@@ -116,14 +116,14 @@ Bytes payload_of(const FilteredEnvironment& environment) {
     writer.add(environment.specular);
     writer.add(environment.diffuse);
     for (const EnvironmentSun& sun : environment.suns) {
-        writer.add(sun.towards_world);
+        writer.add(sun.towards_map);
         writer.add(sun.irradiance_linear);
         writer.add(std::span<const float>(&sun.radius_radians, 1));
     }
     writer.add(environment.ambient_linear);
     writer.add(static_cast<int>(environment.keys.size()));
     for (const EnvironmentKey& key : environment.keys) {
-        writer.add(key.direction_world);
+        writer.add(key.direction_map);
         writer.add(key.irradiance_linear);
     }
     return writer.bytes();
@@ -146,7 +146,7 @@ std::optional<FilteredEnvironment> environment_from(const Bytes& file, const Has
     environment.diffuse = reader.cube();
     for (std::uint32_t i = 0; i < header.sun_count; ++i) {
         EnvironmentSun sun;
-        sun.towards_world = reader.vector();
+        sun.towards_map = reader.vector();
         sun.irradiance_linear = reader.vector();
         sun.radius_radians = reader.number();
         environment.suns.push_back(sun);
@@ -156,7 +156,7 @@ std::optional<FilteredEnvironment> environment_from(const Bytes& file, const Has
     if (key_count < 1 || key_count > static_cast<int>(kMostKeys)) return std::nullopt;
     environment.keys.resize(static_cast<std::size_t>(key_count));
     for (EnvironmentKey& key : environment.keys) {
-        key.direction_world = reader.vector();
+        key.direction_map = reader.vector();
         key.irradiance_linear = reader.vector();
     }
     if (!reader.is_whole()) return std::nullopt;

@@ -130,7 +130,7 @@ Candidate candidate_of(const RadianceMap& map, Region region) {
     }
     const double length = glm::length(direction);
     candidate.sun.irradiance_linear = power;
-    candidate.sun.towards_world = length > 0.0 ? direction / length : glm::dvec3(0.0, 1.0, 0.0);
+    candidate.sun.towards_map = length > 0.0 ? direction / length : glm::dvec3(0.0, 1.0, 0.0);
     // A disc of that radius has the same mean direction: its length is 1 - radius^2 / 4.
     const double mean_length = weight > 0.0 ? length / weight : 1.0;
     candidate.sun.radius_radians =

@@ -115,7 +115,7 @@ void set_suns(gl::Program& program, const std::vector<EnvironmentSun>& suns) {
     std::array<glm::vec4, kMostSuns> towards = {};
     std::array<glm::vec4, kMostSuns> irradiance = {};
     for (std::size_t i = 0; i < suns.size(); ++i) {
-        towards[i] = {suns[i].towards_world, suns[i].radius_radians};
+        towards[i] = {suns[i].towards_map, suns[i].radius_radians};
         irradiance[i] = {suns[i].irradiance_linear, std::cos(kSunReach * suns[i].radius_radians)};
     }
     program.set("sun_count", static_cast<int>(suns.size()));

@@ -57,7 +57,7 @@ void set_lighting(gl::Program& program, const View& view, const Shading& shading
     std::array<glm::vec4, kMostKeys> irradiance = {};
     for (std::size_t i = 0; i < environment.keys.size(); ++i) {
         const EnvironmentKey& key = environment.keys[i];
-        towards[i] = glm::vec4(-(turned * key.direction_world), 0.0f);
+        towards[i] = glm::vec4(-(turned * key.direction_map), 0.0f);
         irradiance[i] = glm::vec4(view.environment_intensity * key.irradiance_linear, 0.0f);
     }
     program.set("key_direction", towards_key(view, -glm::vec3(towards[0])));

@@ -127,8 +127,8 @@ RadianceCube radiance_cube(const RadianceMap& map, int side) {
     return cube;
 }
 
-glm::vec3 radiance_from(const CubeLevel& level, const glm::vec3& direction_world) {
-    const FacePoint point = face_point(direction_world);
+glm::vec3 radiance_from(const CubeLevel& level, const glm::vec3& direction_map) {
+    const FacePoint point = face_point(direction_map);
     const float half_side = 0.5f * static_cast<float>(level.side);
     // In bordered texels: the middle of texel 0 is at 1.
     const float x = point.s * half_side + half_side + 0.5f;

@@ -41,6 +41,6 @@ CubeLevel cube_level(const RadianceMap& map, int side);
 RadianceCube radiance_cube(const RadianceMap& map, int side);
 
 /// Bilinear, from one level; the direction need not be unit.
-glm::vec3 radiance_from(const CubeLevel& level, const glm::vec3& direction_world);
+glm::vec3 radiance_from(const CubeLevel& level, const glm::vec3& direction_map);
 
 }  // namespace patina::render

@@ -110,9 +110,9 @@ float luminance_of(const glm::vec3& linear) {
     return formulae::luminance({linear.x, linear.y, linear.z});
 }
 
-glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_world) {
+glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_map) {
     const auto [u, v] = formulae::equirect_uv(
-        {direction_world.x, std::clamp(direction_world.y, -1.0f, 1.0f), direction_world.z});
+        {direction_map.x, std::clamp(direction_map.y, -1.0f, 1.0f), direction_map.z});
     const float x = u * static_cast<float>(map.width) - 0.5f;
     const float y = v * static_cast<float>(map.height) - 0.5f;
     const float x_floor = std::floor(x);

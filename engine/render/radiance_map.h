@@ -36,8 +36,8 @@ RadianceMap reduced_to_width(RadianceMap map, int width);
 glm::vec3 direction_at(float u, float v);
 /// The direction of the middle of a texel, unit.
 glm::vec3 texel_direction(const RadianceMap& map, int x, int y);
-/// Radiance from a unit direction, bilinear between texels.
-glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_world);
+/// Radiance from a unit direction of the map, bilinear between texels.
+glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_map);
 /// Steradians that a texel of row `y` covers.
 float texel_solid_angle(const RadianceMap& map, int y);
 

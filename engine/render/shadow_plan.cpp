@@ -26,14 +26,14 @@ void plan_suns(const View& view, const GpuEnvironment& environment, ShadowPlan& 
     for (const EnvironmentSun& sun : environment.suns) {
         if (plan.lights.size() == kMostShadows) break;
         plan.lights.push_back(
-            {.towards_world = turned * sun.towards_world, .radius = sun.radius_radians});
+            {.towards_world = turned * sun.towards_map, .radius = sun.radius_radians});
     }
     plan.suns = static_cast<int>(plan.lights.size());
 }
 
 void plan_key_light(const View& view, const GpuEnvironment& environment, ShadowPlan& plan) {
     const glm::vec3 towards = -(world_from_environment(view.environment_rotation_degrees) *
-                                environment.keys.front().direction_world);
+                                environment.keys.front().direction_map);
     for (int i = 0; i < plan.suns; ++i)
         if (glm::dot(plan.lights[static_cast<std::size_t>(i)].towards_world, towards) >
             kSameLightCosine)

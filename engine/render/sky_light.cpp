@@ -12,7 +12,7 @@ namespace {
 
 bool is_of_a_sun(const glm::vec3& direction, const std::vector<EnvironmentSun>& suns) {
     return std::any_of(suns.begin(), suns.end(), [&](const EnvironmentSun& sun) {
-        return glm::dot(direction, sun.towards_world) > std::cos(kSunReach * sun.radius_radians);
+        return glm::dot(direction, sun.towards_map) > std::cos(kSunReach * sun.radius_radians);
     });
 }
 

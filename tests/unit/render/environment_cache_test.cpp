@@ -48,7 +48,7 @@ void expect_equal(const FilteredEnvironment& a, const FilteredEnvironment& b) {
     EXPECT_EQ(a.diffuse.levels, b.diffuse.levels);
     ASSERT_EQ(a.suns.size(), b.suns.size());
     for (std::size_t i = 0; i < a.suns.size(); ++i) {
-        EXPECT_EQ(a.suns[i].towards_world, b.suns[i].towards_world);
+        EXPECT_EQ(a.suns[i].towards_map, b.suns[i].towards_map);
         EXPECT_EQ(a.suns[i].irradiance_linear, b.suns[i].irradiance_linear);
         EXPECT_EQ(a.suns[i].radius_radians, b.suns[i].radius_radians);
     }

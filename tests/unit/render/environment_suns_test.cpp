@@ -39,7 +39,7 @@ TEST(EnvironmentSuns, ADiscIsTakenOutWithItsPlaceItsPowerAndItsRadius) {
     const MapWithoutSuns parted = take_out_suns(map);
     ASSERT_EQ(parted.suns.size(), 1u);
     const EnvironmentSun& sun = parted.suns.front();
-    EXPECT_GT(glm::dot(sun.towards_world, towards), 0.99999f);
+    EXPECT_GT(glm::dot(sun.towards_map, towards), 0.99999f);
     EXPECT_NEAR(sun.radius_radians, kRadius, 0.1f * kRadius);
     const glm::dvec3 all = power_of(map);
     const glm::dvec3 rest = power_of(parted.rest);

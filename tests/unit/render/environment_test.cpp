@@ -92,7 +92,7 @@ TEST(Environment, IrradianceOfASmallLightIsItsPowerTimesTheCosine) {
     const double facing = texel_of(filtered.diffuse, 0, 2, middle, middle).x;
     EXPECT_NEAR(facing / (500.0 * cap / kPi), 1.0, 0.01);
     EXPECT_LT(texel_of(filtered.diffuse, 0, 3, middle, middle).x, 1e-3f) << "no ringing below";
-    EXPECT_NEAR(filtered.keys[0].direction_world.y, -1.0f, 1e-2f);
+    EXPECT_NEAR(filtered.keys[0].direction_map.y, -1.0f, 1e-2f);
 }
 
 TEST(Environment, ItsStrongestLightsAreThoseOfTheTraditionalModelsAndKeepTheEnergy) {
@@ -114,9 +114,9 @@ TEST(Environment, ItsStrongestLightsAreThoseOfTheTraditionalModelsAndKeepTheEner
     double power = 4.0 * kPi * double{filtered.ambient_linear.g};
     for (std::size_t i = 0; i < order.size(); ++i) {
         const glm::vec3 level =
-            glm::normalize(-filtered.keys[i].direction_world * glm::vec3(1.0f, 0.0f, 1.0f));
+            glm::normalize(-filtered.keys[i].direction_map * glm::vec3(1.0f, 0.0f, 1.0f));
         EXPECT_GT(glm::dot(level, towards(order[i])), 0.99f) << i;
-        EXPECT_LT(filtered.keys[i].direction_world.y, 0.0f) << i;
+        EXPECT_LT(filtered.keys[i].direction_map.y, 0.0f) << i;
         power += double{filtered.keys[i].irradiance_linear.g};
     }
     double expected = 4.0 * kPi * 0.2;

@@ -60,7 +60,7 @@ TEST(GroundShadow, TheSharesOfASkyAddUpToOneAndLieWhereItsLightIs) {
 TEST(GroundShadow, ASunIsNoPartOfTheSky) {
     const glm::vec3 towards = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
     EXPECT_EQ(
-        sky_shares(patch_towards(towards), {{.towards_world = towards, .radius_radians = 0.2f}}),
+        sky_shares(patch_towards(towards), {{.towards_map = towards, .radius_radians = 0.2f}}),
         even_sky());
 }
 
@@ -144,7 +144,7 @@ TEST_F(FloorTest, ItIsInTheShadowOfALampAndOfASun) {
     view_.environment_intensity = 1.0f;
     FilteredEnvironment sun = filtered_builtin("white");
     sun.suns = {
-        {.towards_world = -travel, .irradiance_linear = glm::vec3(50.0f), .radius_radians = 0.01f}};
+        {.towards_map = -travel, .irradiance_linear = glm::vec3(50.0f), .radius_radians = 0.01f}};
     ASSERT_TRUE(renderer().set_environment(sun));
     const auto [behind, before] = darkened(4);
     EXPECT_LT(behind, 0.4f);

@@ -457,7 +457,7 @@ TEST_F(ShadingTest, TheBlurredBackgroundShowsItsSun) {
     ASSERT_TRUE(renderer().set_environment(filtered));
     view_.background.kind = Background::Kind::BlurredEnvironment;
     // The model is ahead, and below the middle of the picture.
-    const glm::vec3 towards = filtered.suns.front().towards_world;
+    const glm::vec3 towards = filtered.suns.front().towards_map;
     view_.camera.position = glm::vec3(0.0f, 1.5f, 0.0f) - 5.0f * towards;
     view_.camera.target = view_.camera.position + towards;
     const Image picture = channel(ChannelView::Final);

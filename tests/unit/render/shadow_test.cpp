@@ -115,7 +115,7 @@ TEST_F(ShadowTest, TheEdgeOfASunsShadowIsAsSoftAsTheSunIsWide) {
          .name = "plate"}};
     show(scene);
     FilteredEnvironment sun = filtered_builtin("white");
-    sun.suns = {{.towards_world = {0.0f, 1.0f, 0.0f},
+    sun.suns = {{.towards_map = {0.0f, 1.0f, 0.0f},
                  .irradiance_linear = glm::vec3(100.0f),
                  .radius_radians = kRadius}};
     ASSERT_TRUE(renderer().set_environment(sun));
@@ -143,7 +143,7 @@ TEST_F(ShadowTest, TheKeyLightOfPhongCastsOneToo) {
     show_sphere_over_floor();
     view_.left.model = ShadingModel::Phong;
     FilteredEnvironment above = filtered_builtin("white");
-    above.keys = {{.direction_world = {0.0f, -1.0f, 0.0f}, .irradiance_linear = glm::vec3(3.0f)}};
+    above.keys = {{.direction_map = {0.0f, -1.0f, 0.0f}, .irradiance_linear = glm::vec3(3.0f)}};
     ASSERT_TRUE(renderer().set_environment(above));
     view_.environment_intensity = 1.0f;
     for (const Seen& each : seen(ChannelView::DiffuseDirect)) {
