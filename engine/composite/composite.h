@@ -48,6 +48,8 @@ Result<MapSet> bake_maps(const Program& program, ImageProvider& images, int size
 /// the edited layer, so that an edit costs what it changes. One thread at a time.
 class LiveComposite {
   public:
+    /// @param cache_budget_bytes  of the caches of what lies below; smaller copies of images, which
+    ///                            cache_bytes() counts too, are beside it
     explicit LiveComposite(std::size_t cache_budget_bytes = std::size_t{512} << 20);
     ~LiveComposite();
     LiveComposite(LiveComposite&&) noexcept;
@@ -79,7 +81,8 @@ class LiveComposite {
 };
 
 /// One step of `explain`: what a layer did to one channel of one texel. Of a normal that heights
-/// bend the last step is of no layer (id 0): its source is the normal of the heights alone.
+/// bend the last step is of no layer (id 0): its source is the normal of the heights alone. Values
+/// are as in ConstantSource: colours linear, whatever space the layer blends in.
 struct ExplainStep {
     LayerId layer;
     std::string layer_name;

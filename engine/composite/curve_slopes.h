@@ -11,6 +11,7 @@ namespace patina {
 /// nor turn back where the points do not.
 /// F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic
 /// interpolants", SIAM J. Sci. Stat. Comput. 5, 1984.
+/// @param points  two or more, x strictly ascending
 std::vector<float> curve_slopes(const std::vector<CurvePoint>& points);
 
 }  // namespace patina

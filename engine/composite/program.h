@@ -30,7 +30,8 @@ class Program {
     /// Hash of all that decides the texels of one slot (not of the resolution): equal hashes, equal
     /// texels. An edit elsewhere leaves a slot's hash alone.
     Hash128 slot_hash(Slot slot) const;
-    /// How glTF is to state each slot (the bake rules of DESIGN section 6).
+    /// How glTF is to state each slot: a constant or an untouched image wherever that says the
+    /// same, else a baked map.
     const std::array<SlotPlan, kSlotCount>& slots() const&;
     const std::array<SlotPlan, kSlotCount>& slots() const&& = delete;
     /// Images that running the program reads, each once.

@@ -22,9 +22,10 @@ struct TileSpan {
     bool operator==(const TileSpan&) const = default;
 };
 
-/// What lies of the model at the texels of a tile, and what a projection works with.
+/// What lies of the model at the texels of a tile, in model space (scene/uv_surface.h); `weight` to
+/// `sum` are scratch of one projection.
 struct SurfacePlanes {
-    const void* surface = nullptr;  ///< whose `position` to `bitangent` are
+    const void* surface = nullptr;  ///< address of the UvMap that `position` to `bitangent` are of
     TileSpan span = {};             ///< and where
     alignas(64) float position[3][kTileTexels];
     alignas(64) float normal[3][kTileTexels];

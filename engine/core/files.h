@@ -46,7 +46,7 @@ class OpenedFile {
 };
 
 /// Reads a regular file whole. A directory, FIFO, socket or device, a file larger than
-/// `limit_bytes`, or one that changes size while it is read is an error that names the path.
+/// `limit_bytes`, or one that becomes shorter while it is read is an error that names the path.
 Result<Bytes> read_file(const std::filesystem::path& path,
                         std::uint64_t limit_bytes = kFileLimitBytes);
 Result<std::string> read_text_file(const std::filesystem::path& path,

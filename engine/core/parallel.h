@@ -14,7 +14,8 @@ namespace patina {
 void parallel_for(std::int64_t begin, std::int64_t end, std::int64_t grain,
                   const std::function<void(std::int64_t first, std::int64_t last)>& body);
 
-/// Holds parallel loops to at most `threads` (1 or more) while the object lives.
+/// Holds the parallel loops of the whole program to at most `threads` (1 or more), the calling one
+/// among them, while the object lives; of several the least holds.
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads);

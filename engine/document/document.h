@@ -41,7 +41,9 @@ using ImageAssetPtr = std::shared_ptr<const ImageAsset>;
 inline constexpr float kSunElevationDegrees = 38.0f;
 
 struct EnvironmentSettings {
-    std::string name = "studio";    ///< a built-in ("studio") or the path of an .hdr/.exr file
+    /// A built-in ("studio") or the path of an equirectangular image: relative to the model's
+    /// folder (with % as %25) where it lies in it, else absolute.
+    std::string name = "studio";
     float rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
     float intensity = 1.0f;         ///< times the radiance of the map, 0 to 100
     /// Of the built-in sky's sun above the horizon, 0 to 90; nothing to other environments.

@@ -4,7 +4,7 @@
 /// A layer of a material: what it adds to each channel, where (mask) and how strongly.
 ///
 /// Order for every channel, bottom to top: weight = layer opacity x channel opacity x mask x source
-/// coverage; then source-over of blend(backdrop, source) with that weight (DESIGN section 3).
+/// coverage; then source-over of blend(backdrop, source) with that weight.
 /// Layers are immutable once shared; an edit makes a new one.
 
 #include <cstdint>

@@ -117,9 +117,10 @@ struct RampStop {
 };
 inline constexpr int kMaxRampStops = 8;
 
-/// A noise or pattern in 0..1, with contrast, mapped through a ramp. Tiles at every whole `scale`;
-/// others are rounded to the next whole number of cells. Which of the numbers a kind looks at, its
-/// row in procedural_kinds.h says.
+/// A noise or pattern in 0..1, with contrast, mapped through a ramp. `scale` is rounded to the
+/// nearest whole number of cells, so that it tiles; for checkers, weaves and rows of bricks to the
+/// next even one from there. Which of the numbers a kind looks at, its row in procedural_kinds.h
+/// says.
 struct ProceduralSource {
     ProceduralKind kind = ProceduralKind::PerlinNoise;
     std::uint32_t seed = 0;

@@ -35,6 +35,7 @@ enum class Blend {
 
 /// All the fixed-function state that Patina uses.
 struct State {
+    // Off: depth is neither tested nor written, whatever write_depth says.
     DepthTest depth_test = DepthTest::Less;
     bool write_depth = true;
     bool write_color = true;

@@ -19,7 +19,7 @@ namespace patina::gl {
 struct ProgramDescription {
     std::string label;
     std::vector<std::filesystem::path> folders;  // where shader files are, see load_shader_source
-    std::string vertex_file;                     // e.g. "passes/gbuffer.vert"
+    std::string vertex_file;                     // e.g. "passes/surface.vert"
     std::string fragment_file;
     std::vector<ShaderDefine> defines{};
     std::string geometry_file{};  // empty: none

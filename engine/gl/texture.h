@@ -38,6 +38,8 @@ struct TextureRegion {
 
 /// Texels on the GPU, of undefined content when made. Row 0 is the first row uploaded; texture
 /// coordinate v = 0 lies at its edge, as in glTF when images are uploaded from their top row.
+/// Without a Sampler it is read clamped to its edges, with levels by trilinear filtering, with one
+/// level the nearest texel.
 class Texture {
   public:
     /// Fails when the driver refuses the size.

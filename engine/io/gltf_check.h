@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The JSON of a glTF file checked against ROBUSTNESS section 1, whole and before tinygltf sees it:
-/// tinygltf trusts most of what it reads. Nothing is kept but what later checks ask of earlier
+/// The JSON of a glTF file checked whole, types, ranges, indices and extents, before tinygltf sees
+/// it: tinygltf trusts most of what it reads. Nothing is kept but what later checks ask of earlier
 /// ones.
 
 #include <cstdint>

@@ -17,9 +17,9 @@
 namespace patina::io {
 
 struct LoadLimits {
-    std::uint64_t file_bytes = kFileLimitBytes;
-    std::uint64_t decoded_image_bytes = std::uint64_t{2} << 30;
-    std::uint64_t geometry_bytes = std::uint64_t{2} << 30;  ///< of all meshes together
+    std::uint64_t file_bytes = kFileLimitBytes;  ///< of the model; of all files beside it together
+    std::uint64_t decoded_image_bytes = std::uint64_t{2} << 30;  ///< of all images together
+    std::uint64_t geometry_bytes = std::uint64_t{2} << 30;       ///< of all meshes together
     int nodes = 1'000'000;
     int node_depth = 1'000;
     int json_depth = 64;

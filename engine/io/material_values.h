@@ -2,7 +2,7 @@
 #pragma once
 
 /// What a glTF file says of a material, with its defaults filled in and its factors brought into
-/// the ranges that glTF allows.
+/// the ranges that glTF allows: 0 to 1 where nothing else is said.
 
 #include <array>
 #include <glm/glm.hpp>
@@ -19,7 +19,7 @@ struct MaterialValues {
     float metallic_factor = 1.0f;
     float roughness_factor = 1.0f;
     TextureUse normal;
-    float normal_scale = 1.0f;
+    float normal_scale = 1.0f;  ///< any
     TextureUse occlusion;
     float occlusion_strength = 1.0f;
     TextureUse emissive;
@@ -28,12 +28,12 @@ struct MaterialValues {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     bool unlit = false;
-    float ior = 1.5f;
+    float ior = 1.5f;  ///< 0 to 100
     float specular_factor = 1.0f;
     TextureUse specular;
-    glm::vec3 specular_color_factor = glm::vec3(1.0f);
+    glm::vec3 specular_color_factor = glm::vec3(1.0f);  ///< 0 to a million
     TextureUse specular_color;
-    float emissive_strength = 1.0f;
+    float emissive_strength = 1.0f;  ///< 0 to a million
 
     /// The slots that layers make maps for, the base colour's first.
     std::array<const TextureUse*, 5> slots() const {

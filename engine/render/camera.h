@@ -12,8 +12,9 @@
 namespace patina::render {
 
 struct Camera {
-    glm::vec3 position = glm::vec3(1.6f, 1.1f, 2.4f);
-    glm::vec3 target = glm::vec3(0.0f);  ///< what it looks at and orbits around
+    glm::vec3 position = glm::vec3(1.6f, 1.1f, 2.4f);  ///< not the target
+    glm::vec3 target = glm::vec3(0.0f);                ///< what it looks at and orbits around
+    /// Of any length, across the view or not; another axis serves where it lies along the view.
     glm::vec3 up = glm::vec3(0.0f, 1.0f, 0.0f);
     float fov_y_degrees = 30.0f;       ///< of the whole height, 1 to 160; perspective only
     float orthographic_height = 0.0f;  ///< above 0: orthographic, metres from bottom to top

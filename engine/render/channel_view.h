@@ -57,11 +57,13 @@ enum class ChannelOrigin { Lighting, GBuffer, Inspection };
 
 struct ChannelViewInfo {
     ChannelView view;
-    std::string_view id;      ///< on the command line, such as "base-color"
-    std::string_view label;   ///< in the interface
-    std::string_view target;  ///< where it is stored, such as "albedo.rgb, RGBA8 sRGB"
-    int components;           ///< numbers to show in a probe: 1, 2 or 3
-    std::string_view unit;    ///< "" or such as "m"
+    std::string_view id;     ///< on the command line, such as "base-color"
+    std::string_view label;  ///< in the interface
+    /// Where it is stored in frames, such as "albedo.rgb, RGBA8 sRGB" (stills and probes keep
+    /// albedo in RGBA16F).
+    std::string_view target;
+    int components;         ///< numbers to show in a probe: 1, 2 or 3
+    std::string_view unit;  ///< "" or such as "m"
     ChannelDisplay display;
     ChannelOrigin origin;
     std::string_view tooltip;
@@ -82,11 +84,10 @@ inline constexpr std::array<ChannelViewInfo, kChannelViewCount> kChannelViews = 
      "Shading normal in the world: red +X, green +Y, blue +Z."},
     {ChannelView::F0, "f0", "F0", "specular_ior.rgb, RGBA16F", 3, "", ChannelDisplay::Color,
      ChannelOrigin::GBuffer, "What is mirrored head-on: 0.04 for most non-metals."},
-    {ChannelView::Position, "position", "Position", "position_depth.rgb, RGBA32F", 3, "m",
+    {ChannelView::Position, "position", "Position", "from depth, 32F", 3, "m",
      ChannelDisplay::Range, ChannelOrigin::GBuffer, "Place in the world, fitted to the scene."},
-    {ChannelView::Depth, "depth", "Depth", "position_depth.a, RGBA32F", 1, "m",
-     ChannelDisplay::Range, ChannelOrigin::GBuffer,
-     "Distance along the view, near is dark, fitted to the scene."},
+    {ChannelView::Depth, "depth", "Depth", "from depth, 32F", 1, "m", ChannelDisplay::Range,
+     ChannelOrigin::GBuffer, "Distance along the view, near is dark, fitted to the scene."},
     {ChannelView::Occlusion, "occlusion", "Occlusion", "emissive_occlusion.a, RGBA16F", 1, "",
      ChannelDisplay::Scalar, ChannelOrigin::GBuffer,
      "How much ambient light reaches the surface; 1 is all of it."},

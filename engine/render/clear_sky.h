@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// A clear sky with its sun at any height: what the built-in environment "sky" shows.
+/// A clear sky with its sun at any height: what the built-in environment "sky" shows. Luminance by
+/// CIE S 011/E:2003, type 12; the air that the sun is seen through by Kasten and Young, 1989,
+/// equation 3; colours are Patina's own.
 
 #include <glm/glm.hpp>
 
@@ -13,8 +15,9 @@ class ClearSky {
     explicit ClearSky(float sun_elevation_degrees);
 
     /// Linear radiance from a direction, which is a unit vector with +Y up. The sun stands at a yaw
-    /// of -40 degrees from +Z towards +X, a disc four times as wide as the real one and of its
-    /// irradiance: some 4 on a facing surface where it stands as high as by default.
+    /// of -40 degrees from +Z towards +X, a disc of 0.021 radians, four and a half times the real
+    /// one's, and of its irradiance: some 4 on a facing surface where it stands as high as by
+    /// default.
     glm::vec3 radiance(const glm::vec3& direction) const;
 
   private:

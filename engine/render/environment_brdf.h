@@ -4,7 +4,8 @@
 /// How a surface mirrors a prefiltered environment: which part of the light, and where the filtered
 /// cube is read. The cube is filtered for an eye that looks along the normal and along what it sees
 /// mirrored; the lobe of another view is skewed towards the normal and cut off by the surface. It
-/// is read where the core of the real lobe lies, at the level whose core is as wide.
+/// is read where the core of the real lobe lies, at the level whose core is as wide. The split sum
+/// is Karis's ("Real Shading in Unreal Engine 4", 2013), the rest Patina's own.
 
 #include <glm/glm.hpp>
 #include <vector>

@@ -17,7 +17,8 @@ struct MapWithoutSuns {
 };
 
 /// Takes out regions of connected texels that are over 30 times as bright as the median of the map
-/// (by solid angle) and no wider than a lamp, when they carry more than a hundredth of its light.
+/// (by solid angle) and less than 0.15 radians in radius, when they carry more than a hundredth of
+/// its light; of these the kMostSuns strongest, the strongest first.
 MapWithoutSuns take_out_suns(const RadianceMap& map);
 
 }  // namespace patina::render

@@ -17,8 +17,8 @@ inline constexpr std::string_view kSurfaceVertexFile = "passes/surface.vert";
 struct FrameCamera {
     glm::mat4 clip_from_world = glm::mat4(1.0f);
     glm::mat4 view_from_world = glm::mat4(1.0f);
-    glm::vec3 position = glm::vec3(0.0f);
-    glm::vec3 forward = glm::vec3(0.0f);
+    glm::vec3 position = glm::vec3(0.0f);  ///< in the world
+    glm::vec3 forward = glm::vec3(0.0f);   ///< in the world, unit
     DepthRange range;
     glm::ivec2 size = glm::ivec2(0);
     float level_bias = 0.0f;  ///< of textures: below 0 for draws that are averaged

@@ -21,7 +21,8 @@ enum class TexelMeaning {
     Linear,
     Srgb,
     /// Red, green and blue are n * 0.5 + 0.5; alpha, whatever it was, becomes the deviation within
-    /// the texel: sqrt(1 - |mean of n|^2) of unit normals, 0 in the first level.
+    /// the texel: sqrt(1 - |mean of n|^2) of unit normals, 0 in the first level. After Marc
+    /// Olano and Dan Baker, "LEAN mapping", 2010.
     Normals,
 };
 

@@ -41,7 +41,9 @@ struct OffscreenRequest {
 };
 
 struct RenderedImage {
-    Image image;  ///< RGBA, row 0 at the top; U8 sRGB with straight alpha, or F32 premultiplied
+    /// RGBA, row 0 at the top; U8 or U16 (sample_type), sRGB, straight alpha; or F32 premultiplied
+    /// where `linear`.
+    Image image;
     FrameStats stats;
     double bake_ms = 0.0;
     double environment_ms = 0.0;

@@ -134,7 +134,7 @@ class Renderer {
     /// Uploads the meshes of a scene and forgets the one before. Materials are kept.
     Status set_scene(const ScenePtr& scene);
     /// Draws these parts of the scene as if they had that source_material, and all others with
-    /// their own.
+    /// their own; until the next set_scene.
     void assign_materials(const std::map<PartRef, int>& source_materials);
 
     /// How primitives with this Primitive::source_material look from now on. Only what differs from
@@ -146,10 +146,12 @@ class Renderer {
     /// Forgets all materials; primitives without one are drawn with plain_surface().
     void clear_materials();
 
+    /// Uploads the light of all views and forgets the one before.
     Status set_environment(const FilteredEnvironment& environment);
 
     /// Draws a view at `size`; the picture stays in a texture of the renderer until the next draw.
-    /// Sides are 1 to kMaxPictureSide. Costs are those of the last frame whose queries have ended.
+    /// Needs a scene and an environment, as all that draws. Sides are 1 to kMaxPictureSide. Costs
+    /// are those of the last frame whose queries have ended.
     Result<FrameStats> draw(const View& view, PictureSize size);
     /// The costs of the last frame drawn, of stills too.
     FrameStats stats() const;
@@ -174,8 +176,9 @@ class Renderer {
     std::uintptr_t strip_texture() const;
 
     /// Draws `samples` times with sub-pixel offsets and averages: a still without jagged edges.
-    /// From 64 samples on each draw samples the environment, and the picture converges to the
-    /// integral of the BRDF over it; with fewer it is read filtered.
+    /// From 64 samples on each draw samples the environment where a side on screen is PBR, and the
+    /// picture converges to the integral of the BRDF over it. It is read filtered with fewer, with
+    /// the difference beside, and here by all channels but the final picture.
     /// RGBA, U8 or U16, sRGB-encoded, straight alpha, row 0 at the top.
     Result<Image> still_srgb(const View& view, PictureSize size, int samples,
                              SampleType type = SampleType::U8);
@@ -198,7 +201,10 @@ class Renderer {
 
     /// What the view shows at a pixel of the picture of the last draw; nothing where no surface is.
     Result<std::optional<Probe>> probe(Pixel pixel);
+    /// What that pixel belongs to; nothing where no surface is or nothing can be drawn.
     std::optional<Pick> pick(Pixel pixel);
+    /// What both shadings give the surface at that pixel, whatever the view compares and whichever
+    /// channel it shows; nothing where no surface is.
     Result<std::optional<SideValues>> probe_sides(Pixel pixel);
     /// |luminance left - luminance right|, exposed, of each pixel that the model covers in a
     /// picture of `size`, in no particular order.

@@ -47,8 +47,8 @@ enum class GBufferPrecision {
             ///< them
 };
 
-/// The G-buffer of DESIGN section 5 in its two layouts: position_depth is rebuilt from the hardware
-/// depth, and `surface` is there only when a material is unlit or has a specular factor.
+/// The G-buffer in its two layouts: positions are rebuilt from the depth, and `surface` is there
+/// only when a material is unlit or has a specular factor.
 struct GBufferTargets {
     GBufferTargets(const std::string& label, GBufferPrecision precision);
     SizedTarget plain;

@@ -68,7 +68,7 @@ struct PbrTerms {
     bool multiple_scattering = false;  ///< gives back the energy that single scattering loses
     bool operator==(const PbrTerms&) const = default;
 };
-/// The lecture's set as one choice: DESIGN section 5. It lacks 1/pi and energy balance.
+/// The lecture's set as one choice. It lacks 1/pi and energy balance.
 inline constexpr PbrTerms kLectureTerms = {
     .geometry = GeometryTerm::Lecture,
     .diffuse = DiffuseTerm::Lecture,

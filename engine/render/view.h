@@ -86,12 +86,14 @@ struct View {
 
     float environment_rotation_degrees = 0.0f;  ///< about +Y, counter-clockwise from above
     float environment_intensity = 1.0f;         ///< times the radiance of the map
-    std::vector<Light> lights;                  ///< at most kMaxLights; the first is the key light
+    /// At most kMaxLights. The channels D, F and G show the terms of the first; without any, those
+    /// of the environment's strongest EnvironmentKey.
+    std::vector<Light> lights;
 
     Background background;
     bool ground_shadow = true;  ///< the model's shadow on the floor, where there is one
-    /// Suns of the environment, the key light of the traditional models and the strongest lamps
-    /// cast shadows on the model: six lights at most.
+    /// Suns of the environment, the strongest EnvironmentKey of the traditional models and the
+    /// strongest lamps cast shadows on the model: six lights at most.
     bool shadows = true;
     float exposure_ev = 0.0f;  ///< radiance is multiplied by 2^EV
     ToneMap tone_map = ToneMap::PbrNeutral;

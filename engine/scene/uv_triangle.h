@@ -18,7 +18,7 @@ using UvCorners = std::array<glm::vec2, 3>;
 /// A triangle that reaches over more tiles than this lies on every texel many times.
 inline constexpr float kMostUvTiles = 8.0f;
 
-/// Whether a float has texels left where the corners are.
+/// Whether a float has texels left where the corners are: all within 100 000 tiles of the first.
 bool has_texels(const UvCorners& corners);
 /// Whether it reaches over more than kMostUvTiles.
 bool is_vast(const UvCorners& corners);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes all that the lighting needs to know of a surface. Targets as in engine/render/gbuffer.h.
+// Writes all that the lighting needs to know of a surface. Targets as in
+// gbuffer_description of engine/render/geometry_passes.cpp.
 
 #include "passes/material.glsl"
 #include "passes/stored_normal.glsl"

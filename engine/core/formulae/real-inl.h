@@ -64,7 +64,7 @@ struct Real {
 Int::Int(Uint wrapped) : lanes(hn::BitCast(IntLanes(), wrapped.lanes)) {}
 Int::Int(Real truncated) : lanes(hn::ConvertTo(IntLanes(), truncated.lanes)) {}
 
-/// How many texels one Real holds. Pad planes of floats to a multiple of max_lane_count.
+/// How many texels one Real holds. Planes of floats are padded to a multiple of it.
 HWY_INLINE std::size_t lane_count() {
     return hn::Lanes(RealLanes());
 }

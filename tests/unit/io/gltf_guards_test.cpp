@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each guard of ROBUSTNESS section 1: a valid file with one thing wrong is refused with one line
-// that names the JSON pointer.
+// Each guard of gltf_check.h: a valid file with one thing wrong is refused with one line that names
+// the JSON pointer.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
