@@ -74,8 +74,10 @@ TEST(SourceRules, ACycleOfFoldersIsAFaultThoughNoFileIncludesItself) {
 TEST(SourceRules, ASourceWithoutTheLicenceIsAFaultAndAVersionLineMayComeFirst) {
     const SourceTree tree = {{"engine/core/a.h", kSpdx},
                              {"engine/core/b.h", "#pragma once\n"},
-                             {"shaders/passes/a.frag", "#version 410 core\n" + kSpdx}};
-    EXPECT_THAT(licence_faults(tree), ElementsAre(HasSubstr("engine/core/b.h")));
+                             {"shaders/passes/a.frag", "#version 410 core\n" + kSpdx},
+                             {"shaders/passes/a.geom", "#version 410 core\n"}};
+    EXPECT_THAT(licence_faults(tree),
+                ElementsAre(HasSubstr("engine/core/b.h"), HasSubstr("shaders/passes/a.geom")));
 }
 
 TEST(SourceRules, UnfinishedBusinessAndVagueNamesAreFaults) {
@@ -85,6 +87,23 @@ TEST(SourceRules, UnfinishedBusinessAndVagueNamesAreFaults) {
                              {"engine/core/utility_pole.h", kSpdx}};
     EXPECT_THAT(wording_faults(tree),
                 ElementsAre(HasSubstr("engine/core/a.h:2"), HasSubstr("string_utils.h")));
+}
+
+TEST(SourceRules, SharedFormulaeMayNotIncludeAPassNorAPassAMissingFile) {
+    const SourceTree tree = {{"shaders/shared/brdf.glsl", "#include \"passes/lights.glsl\"\n"},
+                             {"shaders/passes/lights.glsl", "#include \"shared/lamp.glsl\"\n"},
+                             {"shaders/passes/wires.geom", "#include \"passes/gone.glsl\"\n"},
+                             {"shaders/shared/lamp.glsl", ""}};
+    EXPECT_THAT(include_direction_faults(tree),
+                ElementsAre(HasSubstr("shaders/passes/wires.geom:1"),
+                            "shaders/shared/brdf.glsl:1: shaders/shared may not include "
+                            "shaders/passes/lights.glsl"));
+}
+
+TEST(SourceRules, ADocumentOutsideOfTheRepositoryIsNoReason) {
+    const SourceTree tree = {{"engine/core/a.h", kSpdx + "/// As DES"
+                                                         "IGN section 3 says.\n"}};
+    EXPECT_THAT(wording_faults(tree), ElementsAre(HasSubstr("engine/core/a.h:2")));
 }
 
 TEST(SourceRules, AGoodTreeHasNoFaults) {
