@@ -132,7 +132,6 @@ StackState Emitter::emit_stack(const StackTerms& terms, int depth, const StackSt
         program_.checkpoints.push_back({.begin = begin,
                                         .end = here(),
                                         .depth = static_cast<std::uint8_t>(depth),
-                                        .top_of_group = depth > 0 && &layer == &terms.back(),
                                         .encoded = state.encoded,
                                         .touched = state.touched,
                                         .hash = state.hash});

@@ -183,7 +183,6 @@ struct Checkpoint {
     std::int32_t begin = 0;  ///< first operation of the stack
     std::int32_t end = 0;    ///< first operation after the layer
     std::uint8_t depth = 0;
-    bool top_of_group = false;
     ChannelBits encoded = 0;  ///< colours that are accumulated sRGB-encoded here
     ChannelBits touched = 0;  ///< channels that the stack has changed so far
     Hash128 hash = {};

@@ -25,7 +25,6 @@ class PrefixCaches {
     void keep(const CachePoint& point, int size);
 
     std::size_t size_bytes() const;
-    void clear() { entries_.clear(); }
 
   private:
     struct Entry {

@@ -80,9 +80,4 @@ ImagePtr ReducedImages::reduced(const Hash128& hash, const ImagePtr& image, Colo
     return copy;
 }
 
-void ReducedImages::clear() {
-    copies_.clear();
-    size_bytes_ = 0;
-}
-
 }  // namespace patina

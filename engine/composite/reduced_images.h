@@ -24,7 +24,6 @@ class ReducedImages {
     ImagePtr reduced(const Hash128& hash, const ImagePtr& image, ColorSpace color_space,
                      int halvings);
     std::size_t size_bytes() const { return size_bytes_; }
-    void clear();
 
   private:
     std::map<std::tuple<Hash128, ColorSpace, int>, ImagePtr> copies_;

@@ -21,25 +21,12 @@ GLenum bind_target(BufferKind kind) {
     return GL_ARRAY_BUFFER;
 }
 
-GLenum component_type(ComponentType type) {
-    switch (type) {
-        case ComponentType::Float:
-            return GL_FLOAT;
-        case ComponentType::UnsignedByteNormalized:
-            return GL_UNSIGNED_BYTE;
-        case ComponentType::UnsignedShortNormalized:
-            return GL_UNSIGNED_SHORT;
-    }
-    return GL_FLOAT;
-}
-
 void enable(const VertexAttribute& attribute, std::size_t stride_bytes) {
     const auto location = static_cast<GLuint>(attribute.location);
     // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
     const auto* offset = reinterpret_cast<const void*>(attribute.offset_bytes);
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, attribute.components, component_type(attribute.type),
-                          attribute.type == ComponentType::Float ? GL_FALSE : GL_TRUE,
+    glVertexAttribPointer(location, attribute.components, GL_FLOAT, GL_FALSE,
                           static_cast<GLsizei>(stride_bytes), offset);
 }
 

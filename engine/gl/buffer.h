@@ -41,13 +41,10 @@ class Buffer {
     Object object_;
 };
 
-enum class ComponentType { Float, UnsignedByteNormalized, UnsignedShortNormalized };
-
-/// One input of a vertex shader, read from interleaved vertices.
+/// One input of a vertex shader: floats, read from interleaved vertices.
 struct VertexAttribute {
-    int location = 0;    // layout(location = ...) in the shader
-    int components = 3;  // 1 to 4
-    ComponentType type = ComponentType::Float;
+    int location = 0;              // layout(location = ...) in the shader
+    int components = 3;            // 1 to 4
     std::size_t offset_bytes = 0;  // from the start of a vertex
 };
 

@@ -5,22 +5,14 @@
 
 namespace patina::gl {
 
-/// Texel formats. 8-bit ones are normalised to 0..1; Srgb8 ones are decoded to linear when sampled
+/// Texel formats. 8-bit ones are normalised to 0..1; Srgb8Alpha8 is decoded to linear when sampled
 /// (alpha is linear) and encoded when drawn to with State::encode_srgb.
 enum class Format {
     R8,
-    Rg8,
-    Rgb8,
     Rgba8,
-    Srgb8,
     Srgb8Alpha8,
-    R16F,
-    Rg16F,
     Rgba16F,
-    R32F,
-    Rg32F,
     Rgba32F,
-    Depth24,
     Depth32F,
 };
 

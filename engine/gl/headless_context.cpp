@@ -117,10 +117,6 @@ Result<HeadlessContext> HeadlessContext::make(ErrorCallback on_error) {
     return HeadlessContext(std::move(parts));
 }
 
-void HeadlessContext::make_current() const {
-    eglMakeCurrent(parts_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, parts_->context);
-}
-
 const DebugOutput& HeadlessContext::debug_output() const {
     return *parts_->debug_output;
 }

@@ -18,8 +18,6 @@ class HeadlessContext {
     HeadlessContext& operator=(HeadlessContext&&) noexcept;
     ~HeadlessContext();
 
-    /// Makes it current on the calling thread (it may be current on one at a time).
-    void make_current() const;
     const DebugOutput& debug_output() const;
 
   private:

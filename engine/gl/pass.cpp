@@ -22,12 +22,9 @@ GLenum comparison(DepthTest test) {
             return GL_LESS;
         case DepthTest::LessOrEqual:
             return GL_LEQUAL;
-        case DepthTest::Equal:
-            return GL_EQUAL;
         case DepthTest::Greater:
             return GL_GREATER;
         case DepthTest::Off:
-        case DepthTest::Always:
             return GL_ALWAYS;
     }
     return GL_ALWAYS;
@@ -39,9 +36,6 @@ void apply_blend(Blend blend) {
     switch (blend) {
         case Blend::Replace:
             return glBlendFunc(GL_ONE, GL_ZERO);
-        case Blend::Alpha:
-            return glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
-                                       GL_ONE_MINUS_SRC_ALPHA);
         case Blend::Premultiplied:
             return glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         case Blend::Add:
@@ -50,26 +44,21 @@ void apply_blend(Blend blend) {
 }
 
 void apply(const State& state) {
-    // Depth is written only while the test is on, hence Always instead of a disabled test.
     enable(GL_DEPTH_TEST, state.depth_test != DepthTest::Off);
     glDepthFunc(comparison(state.depth_test));
     glDepthMask(state.write_depth ? GL_TRUE : GL_FALSE);
-    const GLboolean color = state.write_color ? GL_TRUE : GL_FALSE;
-    glColorMask(color, color, color, color);
     enable(GL_CULL_FACE, state.cull != Cull::None);
     glCullFace(state.cull == Cull::Front ? GL_FRONT : GL_BACK);
     glFrontFace(state.front_is_clockwise ? GL_CW : GL_CCW);
     apply_blend(state.blend);
     enable(GL_FRAMEBUFFER_SRGB, state.encode_srgb);
-    const bool biased = state.depth_bias_slope != 0.0f || state.depth_bias_units != 0.0f;
-    enable(GL_POLYGON_OFFSET_FILL, biased);
-    glPolygonOffset(state.depth_bias_slope, state.depth_bias_units);
 }
 
 /// State that Patina never varies but that another user of the context (the interface) may.
 void apply_constants() {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glEnable(GL_PROGRAM_POINT_SIZE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_PRIMITIVE_RESTART);
     glDisable(GL_DITHER);
@@ -81,18 +70,6 @@ void clear(const PassDescription& description) {
         glClearBufferfv(GL_COLOR, static_cast<GLint>(i),
                         glm::value_ptr(description.clear_colors[i]));
     if (description.clear_depth) glClearBufferfv(GL_DEPTH, 0, &*description.clear_depth);
-}
-
-GLenum primitive(Topology topology) {
-    switch (topology) {
-        case Topology::Triangles:
-            return GL_TRIANGLES;
-        case Topology::Lines:
-            return GL_LINES;
-        case Topology::Points:
-            return GL_POINTS;
-    }
-    return GL_TRIANGLES;
 }
 
 }  // namespace
@@ -140,10 +117,10 @@ void Pass::draw(const Program& program, const VertexArray& vertices, const DrawR
         const auto offset_bytes = static_cast<std::size_t>(range.first) * sizeof(std::uint32_t);
         // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
         const auto* offset = reinterpret_cast<const void*>(offset_bytes);
-        glDrawElementsInstanced(primitive(range.topology), range.count, GL_UNSIGNED_INT, offset,
+        glDrawElementsInstanced(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, offset,
                                 range.instances);
     } else {
-        glDrawArraysInstanced(primitive(range.topology), range.first, range.count, range.instances);
+        glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, range.instances);
     }
     // Nothing else may record element buffers or attributes into this array by mistake.
     glBindVertexArray(0);

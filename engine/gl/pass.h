@@ -24,11 +24,10 @@
 
 namespace patina::gl {
 
-enum class DepthTest { Off, Less, LessOrEqual, Equal, Greater, Always };
+enum class DepthTest { Off, Less, LessOrEqual, Greater };
 enum class Cull { None, Back, Front };
 enum class Blend {
     Replace,        // source
-    Alpha,          // source x alpha + target x (1 - alpha)
     Premultiplied,  // source + target x (1 - alpha)
     Add,            // source + target
 };
@@ -38,13 +37,10 @@ struct State {
     // Off: depth is neither tested nor written, whatever write_depth says.
     DepthTest depth_test = DepthTest::Less;
     bool write_depth = true;
-    bool write_color = true;
     Cull cull = Cull::None;
     bool front_is_clockwise = false;  // for node transforms that mirror
     Blend blend = Blend::Replace;
-    bool encode_srgb = false;  // linear to sRGB when writing to Srgb8 formats
-    float depth_bias_slope = 0.0f;
-    float depth_bias_units = 0.0f;
+    bool encode_srgb = false;  // linear to sRGB when writing to Srgb8Alpha8
     bool operator==(const State&) const = default;
 };
 
@@ -65,13 +61,11 @@ struct PassDescription {
     std::optional<float> clear_depth{};
 };
 
-enum class Topology { Triangles, Lines, Points };
-
-/// What of a vertex array is drawn, in indices, or in vertices where it has no indices.
+/// What of a vertex array is drawn: triangles, counted in indices, or in vertices where it has no
+/// indices.
 struct DrawRange {
     int first = 0;
     int count = 0;
-    Topology topology = Topology::Triangles;
     int instances = 1;
 };
 

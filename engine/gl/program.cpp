@@ -109,9 +109,6 @@ void Program::set(std::string_view uniform, float value) {
 void Program::set(std::string_view uniform, int value) {
     glProgramUniform1i(name(), location(uniform), value);
 }
-void Program::set(std::string_view uniform, bool value) {
-    glProgramUniform1i(name(), location(uniform), value ? 1 : 0);
-}
 void Program::set(std::string_view uniform, const glm::ivec2& value) {
     glProgramUniform2i(name(), location(uniform), value.x, value.y);
 }
@@ -133,11 +130,6 @@ void Program::set(std::string_view uniform, const glm::mat4& value) {
 void Program::set(std::string_view uniform, std::span<const float> values) {
     glProgramUniform1fv(name(), location(uniform), static_cast<GLsizei>(values.size()),
                         values.data());
-}
-void Program::set(std::string_view uniform, std::span<const glm::vec3> values) {
-    if (values.empty()) return;
-    glProgramUniform3fv(name(), location(uniform), static_cast<GLsizei>(values.size()),
-                        glm::value_ptr(values.front()));
 }
 void Program::set(std::string_view uniform, std::span<const glm::vec4> values) {
     if (values.empty()) return;

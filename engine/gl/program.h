@@ -36,7 +36,6 @@ class Program {
     /// Array elements are named "lights[2].position"; spans fill an array from its first element.
     void set(std::string_view uniform, float value);
     void set(std::string_view uniform, int value);
-    void set(std::string_view uniform, bool value);
     void set(std::string_view uniform, const glm::ivec2& value);
     void set(std::string_view uniform, const glm::vec2& value);
     void set(std::string_view uniform, const glm::vec3& value);
@@ -44,7 +43,6 @@ class Program {
     void set(std::string_view uniform, const glm::mat3& value);
     void set(std::string_view uniform, const glm::mat4& value);
     void set(std::string_view uniform, std::span<const float> values);
-    void set(std::string_view uniform, std::span<const glm::vec3> values);
     void set(std::string_view uniform, std::span<const glm::vec4> values);
 
     /// Lets the uniform block read the buffer that a pass binds to `slot`.

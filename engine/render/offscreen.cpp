@@ -20,33 +20,25 @@ double elapsed_ms(std::chrono::steady_clock::time_point since) {
         .count();
 }
 
-/// Waits for every image that a program reads. One that cannot be decoded is shown as a
-/// placeholder by the composite, which also says so in the log.
-void await_images(const Program& program, ImageProvider& images) {
-    for (const Hash128& image : program.images()) (void)images.pixels(image);
-}
-
 Result<SurfaceMaterial> composited_surface(const Document& document, const Material& material,
-                                           ImageProvider& images, int max_map_size,
-                                           const Progress& progress) {
+                                           ImageProvider& images, const Progress& progress) {
     const Program program = Program::compile(document, material);
     if (baked_maps_of(program.slots()).empty())
         return surface_of(material, program.slots(), {}, images);
-    await_images(program, images);
     LiveComposite composite(kNoCacheBytes);
     const Result<LiveComposite::Update> update =
-        composite.update(program, images, std::min(material.resolution, max_map_size), progress);
+        composite.update(program, images, material.resolution, progress);
     if (!update) return passed_on(update);
     return surface_of(material, program.slots(), composite.maps(), images);
 }
 
 Status set_materials(Renderer& renderer, const Document& document, ImageProvider& images,
-                     const OffscreenRequest& request, const Progress& progress) {
+                     const Progress& progress) {
     progress.set_stage("Compositing materials");
     for (std::size_t i = 0; i < document.materials.size(); ++i) {
         const Material& material = *document.materials[i];
         const Result<SurfaceMaterial> surface =
-            composited_surface(document, material, images, request.max_map_size, progress);
+            composited_surface(document, material, images, progress);
         if (!surface) return passed_on(surface);
         if (Status done = renderer.set_material(material.source_material.value_or(-1), *surface);
             !done)
@@ -117,7 +109,7 @@ Result<Renderer> prepared(const Document& document, ImageProvider& images,
     if (Status done = renderer->set_scene(document.scene); !done) return passed_on(done);
     renderer->assign_materials(assigned_numbers(document));
     const auto bake_start = std::chrono::steady_clock::now();
-    if (Status done = set_materials(*renderer, document, images, request, progress); !done)
+    if (Status done = set_materials(*renderer, document, images, progress); !done)
         return passed_on(done);
     result.bake_ms = elapsed_ms(bake_start);
     const auto environment_start = std::chrono::steady_clock::now();
@@ -177,19 +169,6 @@ Status render_series(const Document& document, ImageProvider& images,
 }
 
 }  // namespace
-
-Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
-                                       const OffscreenRequest& request, const Progress& progress) {
-    RenderedImage result;
-    const auto keep = [&result](int, RenderedImage& picture) -> Status {
-        result = std::move(picture);
-        return {};
-    };
-    if (Status drawn = render_turntable_offscreen(document, images, request, 1, keep, progress);
-        !drawn)
-        return passed_on(drawn);
-    return result;
-}
 
 Status render_turntable_offscreen(const Document& document, ImageProvider& images,
                                   const OffscreenRequest& request, int pictures,

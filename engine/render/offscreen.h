@@ -37,7 +37,6 @@ struct OffscreenRequest {
     /// The costs of a picture are to be known: one of a single draw is drawn once more before, or
     /// they would be those of compiling programs.
     bool costs_wanted = false;
-    int max_map_size = kMaxResolution;  ///< baked maps are made at most this large
 };
 
 struct RenderedImage {
@@ -50,16 +49,11 @@ struct RenderedImage {
     double render_ms = 0.0;
 };
 
-/// Composites the materials, filters the environment and draws.
-Result<RenderedImage> render_offscreen(const Document& document, ImageProvider& images,
-                                       const OffscreenRequest& request,
-                                       const Progress& progress = {});
-
 /// Takes picture `index` of several, which is drawn over afterwards.
 using EachPicture = std::function<Status(int index, RenderedImage& picture)>;
 
-/// Pictures all around the target, counter-clockwise from above, equally far apart; the first is
-/// that of render_offscreen.
+/// Composites the materials, filters the environment and draws pictures all around the target,
+/// counter-clockwise from above, equally far apart; the first is from where the request says.
 Status render_turntable_offscreen(const Document& document, ImageProvider& images,
                                   const OffscreenRequest& request, int pictures,
                                   const EachPicture& each, const Progress& progress = {});

@@ -119,7 +119,6 @@ class Session {
     bool settled() const;
     /// All else is settled, and another draw would refine the picture while the hand rests.
     bool refining() const;
-    bool working() const { return jobs_.running(); }
     bool wants_frame() const { return wants_frame_; }
 
   private:

@@ -234,18 +234,12 @@ std::optional<glm::vec3> color_field(Ui& ui, const Rect& rect, const ColorSpec& 
     const Tip tip{std::string(spec.label), std::string(spec.tooltip)};
     const Press pressed =
         press(ui, rect, {.label = spec.label, .kind = "color", .value = hex, .tip = &tip});
-    Rect rest = rect;
-    if (!spec.only_swatch) {
-        fill(ui, rect, pressed.hovered ? theme::kFieldHover : theme::kField, 4);
-        rest = rect.inset(ui.px(4), ui.px(3));
-        const Rect swatch = rest.cut_left(ui.px(18));
-        fill(ui, swatch, screen_color(color_linear), 3);
-        rest.cut_left(ui.px(6));
-        text(ui, rest, ui.fonts.value12, theme::kText, hex);
-    } else {
-        fill(ui, rect, screen_color(color_linear), 3);
-        outline(ui, rect, pressed.hovered ? theme::kText : theme::kBorder, 3);
-    }
+    fill(ui, rect, pressed.hovered ? theme::kFieldHover : theme::kField, 4);
+    Rect rest = rect.inset(ui.px(4), ui.px(3));
+    const Rect swatch = rest.cut_left(ui.px(18));
+    fill(ui, swatch, screen_color(color_linear), 3);
+    rest.cut_left(ui.px(6));
+    text(ui, rest, ui.fonts.value12, theme::kText, hex);
     ImGui::PushID(static_cast<int>(pressed.id));
     if (pressed.clicked) ImGui::OpenPopup("color");
     const std::optional<glm::vec3> result = color_popup(ui, rect, color_linear);

@@ -27,7 +27,6 @@ glm::vec3 linear_from_srgb(const glm::vec3& srgb);
 struct ColorSpec {
     std::string_view label;
     std::string_view tooltip = {};
-    bool only_swatch = false;  ///< no number beside it
 };
 /// Returns the new colour in every frame in which it changes.
 std::optional<glm::vec3> color_field(Ui& ui, const Rect& rect, const ColorSpec& spec,
