@@ -15,7 +15,7 @@ namespace patina {
 
 /// Where a layer goes. "Top" is the end of a list: what is drawn last.
 struct LayerPlace {
-    enum class Kind { TopOfStack, Above, Below, TopOfGroup, BottomOfGroup };
+    enum class Kind { TopOfStack, Above, Below, TopOfGroup };
     Kind kind = Kind::TopOfStack;
     LayerId anchor;  ///< the layer above or below which, or the group in which
     bool operator==(const LayerPlace&) const = default;
@@ -31,9 +31,6 @@ constexpr LayerPlace below(LayerId layer) {
 }
 constexpr LayerPlace top_of_group(LayerId group) {
     return {LayerPlace::Kind::TopOfGroup, group};
-}
-constexpr LayerPlace bottom_of_group(LayerId group) {
-    return {LayerPlace::Kind::BottomOfGroup, group};
 }
 
 /// The most layers of one material, groups and their children counted.

@@ -44,8 +44,7 @@ Result<Spot> spot_of(const LayerList& stack, LayerPlace place) {
     if (!group.is_group())
         return failure("{} is not a group: layers cannot go into it",
                        quoted_for_message(group.name, 80));
-    const bool top = place.kind == LayerPlace::Kind::TopOfGroup;
-    return Spot{*path, top ? children_of(group)->size() : 0};
+    return Spot{*path, children_of(group)->size()};
 }
 
 Status check_size(const LayerList& stack) {

@@ -102,10 +102,4 @@ const MapPacking& default_packing() {
     return kPackings.front();
 }
 
-const MapPacking* packing_from_id(std::string_view id) {
-    for (const MapPacking& packing : kPackings)
-        if (packing.id == id) return &packing;
-    return nullptr;
-}
-
 }  // namespace patina::io

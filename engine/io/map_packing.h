@@ -43,6 +43,5 @@ struct MapPacking {
 std::span<const MapPacking> map_packings();
 /// "gltf", the first of them.
 const MapPacking& default_packing();
-const MapPacking* packing_from_id(std::string_view id);
 
 }  // namespace patina::io

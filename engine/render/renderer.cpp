@@ -234,10 +234,6 @@ Result<Image> Renderer::read_picture() {
     return image_of(shown_picture(*state_));
 }
 
-Result<Image> Renderer::read_strip() {
-    return image_of(state_->strip.get());
-}
-
 const Bounds& Renderer::bounds_world() const {
     static const Bounds kEmpty;
     return state_->scene ? state_->scene->bounds_world : kEmpty;

@@ -195,9 +195,8 @@ class Renderer {
     Status draw_sample(Still& still);
     Result<StillMean> mean(const Still& still);
 
-    /// The picture of the last draw or draw_strip: RGBA U8, sRGB-encoded, row 0 at the top.
+    /// The picture of the last draw: RGBA U8, sRGB-encoded, row 0 at the top.
     Result<Image> read_picture();
-    Result<Image> read_strip();
 
     /// What the view shows at a pixel of the picture of the last draw; nothing where no surface is.
     Result<std::optional<Probe>> probe(Pixel pixel);

@@ -31,7 +31,6 @@ struct Primitive {
     std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise is the front
     int source_material = -1;            ///< index in the glTF file, -1 for none
     PartRef source;
-    bool generated_tangents = false;  ///< not from the file; corners may have been split
 };
 
 struct Mesh {

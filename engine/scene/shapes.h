@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "scene/mesh.h"
@@ -29,12 +28,6 @@ inline constexpr std::array kShapes = {
     ShapeInfo{Shape::Cylinder, "cylinder", "Cylinder"},
     ShapeInfo{Shape::Torus, "torus", "Torus"},
 };
-
-constexpr std::optional<Shape> shape_from_id(std::string_view id) {
-    for (const ShapeInfo& entry : kShapes)
-        if (entry.id == id) return entry.shape;
-    return std::nullopt;
-}
 
 /// The mesh of a shape. Its primitives have source_material 0, 1 ... : the shader ball's are the
 /// ball, which materials are judged on, and the stand with the core that shows through the ball's

@@ -290,7 +290,6 @@ void generate_tangents(Primitive& primitive, int uv_set) {
     assert(primitive.normals.size() == primitive.positions.size());
     assert(primitive.uvs[static_cast<std::size_t>(uv_set)].size() == primitive.positions.size());
     TangentBuilder(primitive, uv_set).run();
-    primitive.generated_tangents = true;
 }
 
 }  // namespace patina

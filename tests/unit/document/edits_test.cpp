@@ -162,7 +162,7 @@ TEST(Edits, LayersAreAddedWhereThePlaceSays) {
     add("Over", above(sample.layer("Imported textures").id));
     add("Under", below(sample.layer("Imported textures").id));
     add("Crown", top_of_group(sample.layer("Weathering").id));
-    add("Root", bottom_of_group(sample.layer("Inner").id));
+    add("Root", below(sample.layer("Salt").id));
     EXPECT_EQ(sample.names(),
               (Names{"Under", "Imported textures", "Over", "Weathering", "Verdigris", "Inner",
                      "Root", "Salt", "Crown", "Edge polish", "Top"}));
@@ -193,7 +193,7 @@ TEST(Edits, AGroupCannotGoIntoItself) {
     EXPECT_EQ(sample.refusal(move_layer(sample.material(), group, above(sample.layer("Salt").id))),
               message);
     EXPECT_EQ(sample.refusal(
-                  move_layer(sample.material(), group, bottom_of_group(sample.layer("Inner").id))),
+                  move_layer(sample.material(), group, top_of_group(sample.layer("Inner").id))),
               message);
 }
 

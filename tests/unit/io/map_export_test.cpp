@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "composite/composite.h"
 #include "io/image_decode.h"
 #include "io/save.h"
@@ -19,6 +21,13 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
     std::vector<std::string> names;
     for (const fs::path& file : files) names.push_back(file.filename().string());
     return names;
+}
+
+const MapPacking* packing_of(std::string_view id) {
+    const auto packings = map_packings();
+    const auto found = std::find_if(packings.begin(), packings.end(),
+                                    [&](const MapPacking& packing) { return packing.id == id; });
+    return found == packings.end() ? nullptr : &*found;
 }
 
 Image decoded(const fs::path& file) {
@@ -104,10 +113,10 @@ TEST_F(MapExport, RefusesFormatsThatCannotHoldWhatIsAskedOfThem) {
     EXPECT_FALSE(check_map_options({.format_of_map = {{"normal", ImageFormat::Exr}}}));
     EXPECT_FALSE(check_map_options({.format_of_map = {{"height", ImageFormat::Png}}}));
     EXPECT_FALSE(
-        check_map_options({.format = ImageFormat::Jpeg, .packing = packing_from_id("unity-hdrp")}));
+        check_map_options({.format = ImageFormat::Jpeg, .packing = packing_of("unity-hdrp")}));
     EXPECT_TRUE(check_map_options({.format = ImageFormat::Jpeg,
                                    .format_of_map = {{"MaskMap", ImageFormat::Png}},
-                                   .packing = packing_from_id("unity-hdrp")}));
+                                   .packing = packing_of("unity-hdrp")}));
 }
 
 TEST_F(MapExport, OfEachPngLevelHoldsTheSameNumbers) {
@@ -156,14 +165,14 @@ TEST_F(MapExport, OfFloatsHoldsLinearColours) {
 
 TEST_F(MapExport, PacksAsTheNamedProgramWants) {
     const auto gltf = exported({});
-    const auto unreal = exported({.packing = packing_from_id("unreal")});
+    const auto unreal = exported({.packing = packing_of("unreal")});
     const Image up = decoded(gltf.at(2));
     const Image down = decoded(unreal.at(2));
     for (std::size_t k = 0; k < up.data.size(); k += 3) {
         ASSERT_EQ(up.data[k], down.data[k]);
         ASSERT_NEAR(static_cast<int>(up.data[k + 1]) + static_cast<int>(down.data[k + 1]), 255, 1);
     }
-    const auto unity = exported({.packing = packing_from_id("unity")});
+    const auto unity = exported({.packing = packing_of("unity")});
     ASSERT_THAT(names_of(unity),
                 ElementsAre("Quad_AlbedoTransparency.png", "Quad_MetallicSmoothness.png",
                             "Quad_Normal.png", "Quad_Height.png"));
@@ -174,7 +183,7 @@ TEST_F(MapExport, PacksAsTheNamedProgramWants) {
         ASSERT_NEAR(static_cast<int>(smooth.data[4 * texel + 3]),
                     255 - static_cast<int>(packed.data[3 * texel + 1]), 1);
     }
-    EXPECT_THAT(names_of(exported({.packing = packing_from_id("separate")})),
+    EXPECT_THAT(names_of(exported({.packing = packing_of("separate")})),
                 ElementsAre("Quad_base-color.png", "Quad_metalness.png", "Quad_roughness.png",
                             "Quad_normal.png", "Quad_height.png"));
 }
@@ -203,7 +212,7 @@ TEST(MapExportOptions, ThatNoFileCanHoldAreRefused) {
                 HasSubstr("use tif or exr"));
     EXPECT_THAT(check_map_options({.format = ImageFormat::Exr, .bits = 8}).error().message,
                 HasSubstr("use png or tif"));
-    EXPECT_THAT(check_map_options({.format = ImageFormat::Exr, .packing = packing_from_id("unity")})
+    EXPECT_THAT(check_map_options({.format = ImageFormat::Exr, .packing = packing_of("unity")})
                     .error()
                     .message,
                 HasSubstr("alpha"));

@@ -187,11 +187,6 @@ TEST(ShapeMesh, SolidsAreClosed) {
             << kShapes[static_cast<std::size_t>(shape)].id;
 }
 
-TEST(ShapeMesh, EveryIdNamesItsShape) {
-    for (const ShapeInfo& entry : kShapes) EXPECT_EQ(shape_from_id(entry.id), entry.shape);
-    EXPECT_FALSE(shape_from_id("teapot"));
-}
-
 TEST(ShapeMesh, TheShaderBallKeepsHardEdgesHardAndRoundOnesSmooth) {
     const Primitive ball = shape_mesh(Shape::ShaderBall).primitives[0];
     // Vertices that share a place but not a normal make hard edges; seams share both.

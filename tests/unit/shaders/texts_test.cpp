@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "composite/scalar_modes.h"
 #include "core/formulae/formulae.h"
 #include "document/blend_mode.h"
 #include "document/source.h"
@@ -93,6 +94,18 @@ TEST(SharedTexts, EveryBlendModeOfTheTableIsAFunction) {
     const std::map<std::string, std::string> functions = shared_functions();
     for (const BlendModeInfo& mode : kBlendModes)
         EXPECT_TRUE(functions.contains(std::string(mode.formula))) << mode.formula;
+}
+
+TEST(SharedTexts, KernelsBlendScalarsByTheFormulaeOfTheTable) {
+    std::set<BlendMode> held = {BlendMode::Normal, BlendMode::Replace};
+#define PATINA_EXPECT_FORMULA(NAME, FORMULA)            \
+    EXPECT_EQ(info(BlendMode::NAME).formula, #FORMULA); \
+    held.insert(BlendMode::NAME);
+    PATINA_SCALAR_MODES(PATINA_EXPECT_FORMULA)
+#undef PATINA_EXPECT_FORMULA
+    for (const BlendModeInfo& mode : kBlendModes)
+        EXPECT_EQ(held.contains(mode.mode), (mode.kinds & kind_bit(ChannelKind::Scalar)) != 0)
+            << mode.id;
 }
 
 template <typename Enum>
