@@ -70,8 +70,12 @@ void Workspace::assign_material_at(const AssignMaterialAt& request) {
 
 void Workspace::perform(Action action) {
     perform_file(action);
+    perform_material(action);
+    perform_stack(action);
     perform_layer(action);
-    perform_view(action);
+    perform_picture(action);
+    perform_camera(action);
+    perform_interface(action);
 }
 
 }  // namespace patina::editor

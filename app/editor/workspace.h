@@ -62,9 +62,14 @@ class Workspace {
 
   private:
     void carry_out_one(const Request& request);
+    // Each performs the actions of its subject and lets all others pass.
     void perform_file(Action action);
+    void perform_material(Action action);
+    void perform_stack(Action action);
     void perform_layer(Action action);
-    void perform_view(Action action);
+    void perform_picture(Action action);
+    void perform_camera(Action action);
+    void perform_interface(Action action);
     void frame(const Bounds& bounds);
     void look_from(render::ViewDirection direction);
     void add_layer_and_select(const Layer& layer);

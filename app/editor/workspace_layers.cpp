@@ -114,12 +114,9 @@ void Workspace::move_selected(int step) {
     if (place) session_->apply(move_layer(*material, *layer, *place));
 }
 
-void Workspace::perform_layer(Action action) {
+void Workspace::perform_material(Action action) {
     if (!session_->has_document()) return;
     const MaterialPtr material = session_->selected_material(view_);
-    if (!material) return;
-    const LayerPtr layer = session_->selected_layer(view_);
-    const auto edit = [this](const Edit& each) { edit_and_select_new(each); };
     switch (action) {
         case Action::Undo:
             session_->history().undo();
@@ -127,6 +124,35 @@ void Workspace::perform_layer(Action action) {
         case Action::Redo:
             session_->history().redo();
             return;
+        case Action::AddMaterial:
+            return add_material_and_select(
+                add_material(free_material_name(session_->document(), "Material")));
+        case Action::DuplicateMaterial:
+            if (material) add_material_and_select(duplicate_material(*material));
+            return;
+        case Action::DeleteMaterial:
+            if (material) edit_and_select_new(remove_material(*material));
+            return;
+        case Action::RenameMaterial:
+            if (material) view_.renaming_material = material->id;
+            return;
+        case Action::ClearStack:
+            if (material) edit_and_select_new(replace_stack(*material, {}, "Remove all layers"));
+            return;
+        case Action::SaveMaterialPreset:
+            if (material) ask_save_preset(true);
+            return;
+        default:
+            return;
+    }
+}
+
+/// What needs a material, and no layer.
+void Workspace::perform_stack(Action action) {
+    if (!session_->has_document()) return;
+    const MaterialPtr material = session_->selected_material(view_);
+    if (!material) return;
+    switch (action) {
         case Action::AddValueLayer:
             return add_layer_and_select(value_layer());
         case Action::AddNoiseLayer:
@@ -138,33 +164,29 @@ void Workspace::perform_layer(Action action) {
         case Action::AddImageLayer:
             ask_image([this](const ImageAssetPtr& image) { add_image_layer(image); });
             return;
-        case Action::AddMaterial:
-            return add_material_and_select(
-                add_material(free_material_name(session_->document(), "Material")));
-        case Action::DuplicateMaterial:
-            return add_material_and_select(duplicate_material(*material));
-        case Action::DeleteMaterial:
-            return edit(remove_material(*material));
-        case Action::RenameMaterial:
-            view_.renaming_material = material->id;
-            return;
-        case Action::ClearStack:
-            return edit(replace_stack(*material, {}, "Remove all layers"));
-        case Action::SaveMaterialPreset:
-            return ask_save_preset(true);
         case Action::SelectLayerAbove:
             return select_neighbour(-1);
         case Action::SelectLayerBelow:
             return select_neighbour(1);
         case Action::Paste: {
             const char* clipboard = ImGui::GetClipboardText();
+            const LayerPtr layer = session_->selected_layer(view_);
             const LayerPlace place = layer ? above(layer->id) : top_of_stack();
-            return edit(paste_layers(*material, clipboard == nullptr ? "" : clipboard, place));
+            return edit_and_select_new(
+                paste_layers(*material, clipboard == nullptr ? "" : clipboard, place));
         }
         default:
-            break;
+            return;
     }
-    if (!layer) return;
+}
+
+/// What is done to the layer that is chosen, and to its mask.
+void Workspace::perform_layer(Action action) {
+    if (!session_->has_document()) return;
+    const MaterialPtr material = session_->selected_material(view_);
+    const LayerPtr layer = session_->selected_layer(view_);
+    if (!material || !layer) return;
+    const auto edit = [this](const Edit& each) { edit_and_select_new(each); };
     switch (action) {
         case Action::DuplicateLayer:
             return edit(duplicate_layer(*material, *layer));

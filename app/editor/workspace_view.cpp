@@ -20,7 +20,8 @@ void Workspace::look_from(render::ViewDirection direction) {
                                                       session_->view_aspect(view_), direction);
 }
 
-void Workspace::perform_view(Action action) {
+/// What the picture shows, and how it is shaded.
+void Workspace::perform_picture(Action action) {
     render::View& view = view_.view;
     const auto step_channel = [&view](int step) {
         const int count = render::kChannelViewCount;
@@ -60,12 +61,27 @@ void Workspace::perform_view(Action action) {
             return step_channel(1);
         case Action::PreviousChannel:
             return step_channel(-1);
+        case Action::ShowUv:
+            view.channel = view.channel == render::ChannelView::UvChecker
+                               ? render::ChannelView::Final
+                               : render::ChannelView::UvChecker;
+            return;
+        case Action::ShowWires:
+            view.wires = !view.wires;
+            return;
         case Action::BrighterExposure:
             view.exposure_ev = std::min(view.exposure_ev + 1.0f / 3.0f, 6.0f);
             return;
         case Action::DarkerExposure:
             view.exposure_ev = std::max(view.exposure_ev - 1.0f / 3.0f, -6.0f);
             return;
+        default:
+            return;
+    }
+}
+
+void Workspace::perform_camera(Action action) {
+    switch (action) {
         case Action::FrameModel:
             return frame(session_->bounds());
         case Action::FrameMaterial:
@@ -85,8 +101,16 @@ void Workspace::perform_view(Action action) {
         case Action::LookFromBottom:
             return look_from(render::ViewDirection::Bottom);
         case Action::Orthographic:
-            view.camera = render::with_other_projection(view.camera);
+            view_.view.camera = render::with_other_projection(view_.view.camera);
             return;
+        default:
+            return;
+    }
+}
+
+/// Panels, tools and boxes.
+void Workspace::perform_interface(Action action) {
+    switch (action) {
         case Action::ProbeTool:
             view_.tool =
                 view_.tool == ViewportTool::Probe ? ViewportTool::Move : ViewportTool::Probe;
@@ -94,14 +118,6 @@ void Workspace::perform_view(Action action) {
         case Action::ShowLights:
             view_.right_tab = RightTab::Material;
             view_.unfolded.lights = true;
-            return;
-        case Action::ShowUv:
-            view.channel = view.channel == render::ChannelView::UvChecker
-                               ? render::ChannelView::Final
-                               : render::ChannelView::UvChecker;
-            return;
-        case Action::ShowWires:
-            view.wires = !view.wires;
             return;
         case Action::HidePanels:
             view_.panels_hidden = !view_.panels_hidden;

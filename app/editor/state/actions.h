@@ -2,7 +2,8 @@
 #pragma once
 
 /// Everything that has a name and can be asked for from a menu, a key or the palette, as one table.
-/// To add one: an enumerator, a row, and a case in app/editor/perform.cpp.
+/// To add one: an enumerator, a row in actions.cpp, and a case in the perform_... of its subject
+/// (app/editor/workspace_*.cpp).
 
 #include <array>
 #include <optional>
