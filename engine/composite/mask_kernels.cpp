@@ -106,9 +106,27 @@ TileBlocks join_by_combine(const MaskTask& task) {
         return join_source<NAME>(task);
             PATINA_SCALAR_MODES(PATINA_JOIN_CASE)
 #undef PATINA_JOIN_CASE
-        default:
-            return all_blocks(task.count);  // these join no masks
+        case BlendMode::Normal:
+        case BlendMode::HueW3c:
+        case BlendMode::SaturationW3c:
+        case BlendMode::ColorW3c:
+        case BlendMode::LuminosityW3c:
+        case BlendMode::TintHsv:
+        case BlendMode::SaturationHsv:
+        case BlendMode::ColorHsv:
+        case BlendMode::ValueHsv:
+        case BlendMode::NormalRnm:
+        case BlendMode::NormalUdn:
+        case BlendMode::NormalWhiteout:
+        case BlendMode::NormalPartial:
+        case BlendMode::HeightAdd:
+        case BlendMode::HeightMax:
+        case BlendMode::HeightMin:
+        case BlendMode::HeightSubtract:
+        case BlendMode::PassThrough:
+            break;  // these join no masks
     }
+    return all_blocks(task.count);
 }
 
 HWY_FLATTEN void share_by_height(const HeightShareTask& task) {

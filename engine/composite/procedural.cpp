@@ -39,9 +39,29 @@ Cells cells_of(const ProceduralSource& source) {
         case ProceduralKind::Hexagons:
             // Rows are sqrt(3)/2 of a column's width apart.
             return {cells, std::max(2 * static_cast<int>(std::round(scale * 0.577350269f)), 2)};
-        default:
-            return {cells, cells};
+        case ProceduralKind::ValueNoise:
+        case ProceduralKind::PerlinNoise:
+        case ProceduralKind::WorleyNoise:
+        case ProceduralKind::SimplexNoise:
+        case ProceduralKind::RidgedNoise:
+        case ProceduralKind::Turbulence:
+        case ProceduralKind::WorleyF2:
+        case ProceduralKind::WorleyEdges:
+        case ProceduralKind::Cells:
+        case ProceduralKind::GradientLinear:
+        case ProceduralKind::GradientRadial:
+        case ProceduralKind::GradientAngular:
+        case ProceduralKind::Stripes:
+        case ProceduralKind::Tiles:
+        case ProceduralKind::Spots:
+        case ProceduralKind::Scratches:
+        case ProceduralKind::Cracks:
+        case ProceduralKind::WoodRings:
+        case ProceduralKind::Marble:
+        case ProceduralKind::Grunge:
+            break;
     }
+    return {cells, cells};
 }
 
 void set_ramp(const std::vector<RampStop>& ramp, ProceduralTask& task) {

@@ -185,9 +185,28 @@ std::optional<Inspected> inspected_for(ChannelView channel) {
             return Inspected::Uv1;
         case ChannelView::UvChecker:
             return Inspected::UvChecker;
-        default:
+        case ChannelView::Final:
+        case ChannelView::BaseColor:
+        case ChannelView::Metalness:
+        case ChannelView::Roughness:
+        case ChannelView::NormalWorld:
+        case ChannelView::F0:
+        case ChannelView::Position:
+        case ChannelView::Depth:
+        case ChannelView::Occlusion:
+        case ChannelView::Emissive:
+        case ChannelView::NormalView:
+        case ChannelView::Ior:
+        case ChannelView::DiffuseDirect:
+        case ChannelView::SpecularDirect:
+        case ChannelView::DiffuseAmbient:
+        case ChannelView::SpecularAmbient:
+        case ChannelView::DistributionTerm:
+        case ChannelView::FresnelTerm:
+        case ChannelView::GeometryTerm:
             return std::nullopt;
     }
+    return std::nullopt;
 }
 
 Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,

@@ -60,9 +60,25 @@ std::optional<Channel> stack_channel(render::ChannelView view) {
             return Channel::Emissive;
         case render::ChannelView::Alpha:
             return Channel::Opacity;
-        default:
+        case render::ChannelView::F0:
+        case render::ChannelView::Position:
+        case render::ChannelView::Depth:
+        case render::ChannelView::Tangent:
+        case render::ChannelView::GeometricNormal:
+        case render::ChannelView::Ior:
+        case render::ChannelView::Uv0:
+        case render::ChannelView::Uv1:
+        case render::ChannelView::DiffuseDirect:
+        case render::ChannelView::SpecularDirect:
+        case render::ChannelView::DiffuseAmbient:
+        case render::ChannelView::SpecularAmbient:
+        case render::ChannelView::DistributionTerm:
+        case render::ChannelView::FresnelTerm:
+        case render::ChannelView::GeometryTerm:
+        case render::ChannelView::UvChecker:
             return std::nullopt;
     }
+    return std::nullopt;
 }
 
 }  // namespace
