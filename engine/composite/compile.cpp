@@ -7,6 +7,7 @@
 
 #include "composite/bake_rules.h"
 #include "composite/source_record.h"
+#include "composite/stack_hash.h"
 #include "composite/surface_sources.h"
 #include "composite/uniform_values.h"
 #include "document/worn_surface.h"

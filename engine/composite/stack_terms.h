@@ -109,7 +109,4 @@ bool is_uniform(const StackTerms& terms, Channel channel);
 /// The channels of layers, at any depth, about which heights decide.
 ChannelBits led_by_height(const StackTerms& terms);
 
-/// Hash of what a layer does to `channels`, its children, its mask and what it refers to included.
-Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels, ReferredLayers& referred);
-
 }  // namespace patina
