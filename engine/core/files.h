@@ -65,15 +65,6 @@ Status write_file_atomically(const std::filesystem::path& path,
 Status write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Status write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
-/// Where the program's own files of one kind lie: "shaders", "presets" or "fonts". Looked for
-/// beside the program (../share/patina/NAME from the executable), then in the source tree above the
-/// executable. Never an absolute path from the time of the build.
-Result<std::filesystem::path> resource_folder(std::string_view name);
-
-/// A module that the program loads when it is needed: in ../lib/patina from an installed program,
-/// else in the engine folder of the build that the program lies in.
-Result<std::filesystem::path> module_file(std::string_view name);
-
 inline std::span<const std::byte> bytes_of(std::string_view text) {
     return std::as_bytes(std::span(text.data(), text.size()));
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/files.h"
+#include "core/program_folders.h"
 
 namespace patina {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "core/program_folders.h"
+
 namespace patina::io {
 namespace {
 

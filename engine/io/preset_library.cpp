@@ -5,6 +5,7 @@
 
 #include "core/files.h"
 #include "core/log.h"
+#include "core/program_folders.h"
 #include "core/user_folder.h"
 #include "document/record.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.h"
 
-#include "core/files.h"
+#include "core/program_folders.h"
 #include "render/frame.h"
 #include "render/renderer_state.h"
 #include "render/wires.h"

@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/files.h"
+#include "core/program_folders.h"
 #include "gl/headless_context.h"
 #include "render/frame.h"
 #include "render/renderer.h"
