@@ -6,6 +6,7 @@
 
 #include "composite/procedural_kernels.h"
 #include "core/formulae/formulae.h"
+#include "core/r2_sequence.h"
 
 namespace patina {
 namespace {
@@ -101,9 +102,7 @@ float texel_width(const SourceRecord& record, const ProceduralTask& task) {
            task.size;
 }
 
-/// Points that lie evenly in the texture and on no grid that its cells could lie on too: multiples
-/// of the plastic number's inverses (Martin Roberts, "The unreasonable effectiveness of quasirandom
-/// sequences", 2018).
+/// Points that lie evenly in the texture and on no grid that its cells could lie on too.
 struct EvenPoints {
     alignas(64) float u[kTileTexels];
     alignas(64) float v[kTileTexels];
@@ -111,12 +110,10 @@ struct EvenPoints {
 const EvenPoints& even_points() {
     static const EvenPoints points = [] {
         EvenPoints made;
-        const auto fraction = [](double value) {
-            return static_cast<float>(value - std::floor(value));
-        };
         for (int i = 0; i < kTileTexels; ++i) {
-            made.u[i] = fraction(0.5 + i * 0.7548776662466927);
-            made.v[i] = fraction(0.5 + i * 0.5698402909980532);
+            const R2Point point = r2_point(i);
+            made.u[i] = static_cast<float>(point.u);
+            made.v[i] = static_cast<float>(point.v);
         }
         return made;
     }();

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/accumulation.h"
 
-#include <cmath>
+#include "core/r2_sequence.h"
 
 namespace patina::render {
 
 glm::vec2 sample_offset(int i) {
-    constexpr double kA1 = 0.7548776662466927;
-    constexpr double kA2 = 0.5698402909980532;
-    const auto share = [&](double a) {
-        const double x = 0.5 + a * i;
-        return static_cast<float>(x - std::floor(x) - 0.5);
-    };
-    return {share(kA1), share(kA2)};
+    const R2Point point = r2_point(i);
+    return glm::vec2(point.u - 0.5, point.v - 0.5);
 }
 
 Result<gl::Framebuffer*> sum_for(SizedTarget& target, PictureSize size, int index) {

@@ -8,8 +8,7 @@
 
 namespace patina::render {
 
-/// Where sample i lies in its pixel, from the middle; the first is the middle. Martin Roberts's R2
-/// sequence (2018): powers of the inverse of the plastic number, well spread for any count.
+/// Where sample i lies in its pixel, from the middle; the first is the middle. See r2_point.
 glm::vec2 sample_offset(int i);
 
 /// One of the draws that a sum is made of.

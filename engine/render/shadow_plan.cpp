@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/formulae/formulae.h"
+#include "core/r2_sequence.h"
 #include "render/light_block.h"
 
 namespace patina::render {
@@ -175,13 +176,8 @@ ShadowView view_from_place(const ShadowLight& light, const glm::vec3& middle, fl
 }  // namespace
 
 LampPoint lamp_point(int index) {
-    constexpr double kA1 = 0.7548776662466927;
-    constexpr double kA2 = 0.5698402909980532;
-    const auto share = [index](double a) {
-        const double x = 0.5 + a * index;
-        return static_cast<float>(x - std::floor(x));
-    };
-    return {{share(kA1), share(kA2)}};
+    const R2Point point = r2_point(index);
+    return {glm::vec2(point.u, point.v)};
 }
 
 ShadowPlan shadow_plan(const View& view, const GpuEnvironment& environment, const Bounds& bounds,

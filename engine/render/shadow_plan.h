@@ -31,7 +31,7 @@ struct ShadowLight {
 struct LampPoint {
     glm::vec2 u = glm::vec2(0.5f);  ///< of the unit square
 };
-/// The point of draw `index`, the same for every lamp. Roberts's R2 sequence (2018).
+/// The point of draw `index`, the same for every lamp. See r2_point.
 LampPoint lamp_point(int index);
 
 /// Which light reads which map.

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -127,12 +126,12 @@ Image empty_image(PictureSize size, SampleType type) {
     return image;
 }
 
-/// As dither() of passes/output.glsl, so that a still shows no banding either.
+/// As dither() of passes/output.glsl, so that a still shows no banding either: in steps of a
+/// sample.
 float dither(int x, int y_from_bottom) {
-    const float inner =
-        0.06711056f * static_cast<float>(x) + 0.00583715f * static_cast<float>(y_from_bottom);
-    const float scaled = 52.9829189f * (inner - std::floor(inner));
-    return scaled - std::floor(scaled) - 0.5f;
+    return formulae::interleaved_gradient_noise(
+               {static_cast<float>(x), static_cast<float>(y_from_bottom)}) -
+           0.5f;
 }
 
 /// 0 to 1 as the nearest of all values of Sample, after `noise` of their steps.

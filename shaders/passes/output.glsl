@@ -2,6 +2,7 @@
 // How radiance becomes what a target holds.
 
 #include "shared/color.glsl"
+#include "shared/dither.glsl"
 #include "shared/tone_map.glsl"
 
 // Constants: OUTPUT_MODE, one of the following; TONE_MAP, one of shared/tone_map.glsl.
@@ -18,10 +19,8 @@ vec3 displayed(vec3 radiance) {
 }
 
 /// Half a byte of noise against banding in smooth gradients; the same in every frame.
-/// Interleaved gradient noise: Jimenez, "Next Generation Post Processing in Call of Duty", 2014.
 float dither(vec2 pixel) {
-    return (fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715)))) - 0.5) /
-           255.0;
+    return (interleaved_gradient_noise(floor(pixel)) - 0.5) / 255.0;
 }
 
 /// Linear light on the screen, as the target holds it. Colours are premultiplied by alpha.

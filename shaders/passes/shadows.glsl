@@ -3,6 +3,9 @@
 // each other in one texture. Laid out in engine/render/shadow_maps.cpp.
 // Constant: SHADOWS, 0 where there are none. R. Fernando, "Percentage-closer soft shadows", 2005.
 
+#include "shared/dither.glsl"
+#include "shared/transcendental.glsl"
+
 const int MOST_SHADOWS = 6;
 const int BLOCKER_TAPS = 4;
 const int EDGE_TAPS = 8;
@@ -179,8 +182,7 @@ float widest_edge(int map, float metres) {
 float light_reaching(int map, vec3 point, vec3 normal, vec3 towards, vec2 pixel) {
     if (SHADOWS == 0) return 1.0;
     ShadowPlace place = shadow_place(map, point, normal);
-    float noise = fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
-    float turn = 6.2831853 * (noise + shadow_turn);
+    float turn = 2.0 * PI * (interleaved_gradient_noise(floor(pixel)) + shadow_turn);
     vec2 way = vec2(cos(turn), sin(turn));
     // Counts that are not constant keep loops what they are: lanes that agree leave them at once.
     bool matters = shadow_matters(map, place, normal, towards);

@@ -9,6 +9,7 @@
 #undef SHARED_BRDF_GLSL
 #undef SHARED_COLOR_GLSL
 #undef SHARED_COMPOSITING_GLSL
+#undef SHARED_DITHER_GLSL
 #undef SHARED_ENVIRONMENT_GLSL
 #undef SHARED_HEAT_MAP_GLSL
 #undef SHARED_HEIGHT_GLSL
@@ -31,6 +32,7 @@
 #include "shared/brdf.glsl"
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
+#include "shared/dither.glsl"
 #include "shared/environment.glsl"
 #include "shared/heat_map.glsl"
 #include "shared/height.glsl"

@@ -12,6 +12,7 @@
 #include "shared/brdf.glsl"
 #include "shared/color.glsl"
 #include "shared/compositing.glsl"
+#include "shared/dither.glsl"
 #include "shared/environment.glsl"
 #include "shared/heat_map.glsl"
 #include "shared/height.glsl"
