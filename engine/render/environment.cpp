@@ -5,7 +5,6 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/packing.hpp>
 
@@ -111,8 +110,7 @@ struct LobeSample {
     std::size_t level;
 };
 
-/// Filtered importance sampling. J. Krivanek and M. Colbert, "Real-time shading with filtered
-/// importance sampling", 2008: each sample reads a level as coarse as the sample is rare.
+/// By filtered importance sampling.
 std::vector<LobeSample> filtered_lobe(float roughness, unsigned count, int face_size,
                                       std::size_t levels) {
     const float texel_angle =
@@ -120,7 +118,7 @@ std::vector<LobeSample> filtered_lobe(float roughness, unsigned count, int face_
         (6.0f * static_cast<float>(face_size) * static_cast<float>(face_size));
     std::vector<LobeSample> samples;
     for (const LobeDirection& each : prefiltered_lobe(roughness, count)) {
-        const float level = 0.5f * std::log2(each.solid_angle / texel_angle);
+        const float level = formulae::filtered_level(each.solid_angle, texel_angle);
         samples.push_back({each.direction, each.weight,
                            static_cast<std::size_t>(
                                std::clamp(level + 0.5f, 0.0f, static_cast<float>(levels - 1)))});
@@ -128,14 +126,12 @@ std::vector<LobeSample> filtered_lobe(float roughness, unsigned count, int face_
     return samples;
 }
 
-/// Columns: any two directions across n, and n. Duff and others, "Building an orthonormal basis,
-/// revisited", JCGT 2017.
+/// Columns: two directions across n, and n.
 glm::mat3 frame_about(const glm::vec3& n) {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1.0f / (sign + n.z);
-    const float b = n.x * n.y * a;
-    return {
-        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+    const formulae::Across across = formulae::across_of({n.x, n.y, n.z});
+    return {{across.x_axis.x, across.x_axis.y, across.x_axis.z},
+            {across.y_axis.x, across.y_axis.y, across.y_axis.z},
+            n};
 }
 
 /// @param sharp   the whole map, for the first level

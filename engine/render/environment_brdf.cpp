@@ -74,12 +74,10 @@ double level_share_for(double width, const LevelWidths& widths) {
 }
 
 formulae::BrdfTerms shared_terms(const PbrTerms& terms) {
-    return {.distribution = static_cast<int>(terms.distribution),
-            .geometry = static_cast<int>(terms.geometry),
-            .fresnel = static_cast<int>(terms.fresnel),
-            // The lecture's diffuse term is for lamps, whose light it does not divide by pi.
-            .diffuse = static_cast<int>(terms.diffuse == DiffuseTerm::Lecture ? DiffuseTerm::Lambert
-                                                                              : terms.diffuse)};
+    return formulae::ambient_terms({.distribution = static_cast<int>(terms.distribution),
+                                    .geometry = static_cast<int>(terms.geometry),
+                                    .fresnel = static_cast<int>(terms.fresnel),
+                                    .diffuse = static_cast<int>(terms.diffuse)});
 }
 
 EnvironmentBrdf table_entry(const formulae::BrdfTerms& terms, float n_dot_v, float roughness,

@@ -7,6 +7,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "core/formulae/formulae.h"
+
 namespace patina::render {
 namespace {
 
@@ -40,16 +42,6 @@ Picked pick(const float* shares, std::size_t count, float u) {
 /// For u of 0 to 1, -1 to 1 as densely as a texel has a share in what is read so many texels aside.
 float tent(float u) {
     return u < 0.5f ? std::sqrt(2.0f * u) - 1.0f : 1.0f - std::sqrt(2.0f - 2.0f * u);
-}
-
-std::uint32_t reversed_bits(std::uint32_t bits) {
-    std::uint32_t result = 0;
-    for (int i = 0; i < 32; ++i) result |= ((bits >> i) & 1u) << (31 - i);
-    return result;
-}
-
-float unit_from_bits(std::uint32_t bits) {
-    return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
 
 /// What brings the brightest texel into half floats.
@@ -104,8 +96,7 @@ float EnvironmentSampler::density_at(const glm::vec2& texel) const {
     const float light = std::lerp(light_of_row(low_row), light_of_row(low_row + 1), high_share);
     const float height = static_cast<float>(map_->height);
     const float sine = std::max(std::sin(glm::pi<float>() * texel.y / height), 1e-6f);
-    const float solid_angle =
-        glm::two_pi<float>() / static_cast<float>(map_->width) * glm::pi<float>() / height * sine;
+    const float solid_angle = texel_solid_angle_at_horizon(map_->width, map_->height) * sine;
     return std::max(light / (static_cast<float>(total_luminance_) * solid_angle), 1e-12f);
 }
 
@@ -150,7 +141,7 @@ glm::vec2 sobol_point(std::uint32_t i) {
         if ((bits & 1u) != 0) second ^= direction;
         direction ^= direction >> 1;
     }
-    return {unit_from_bits(reversed_bits(i)), unit_from_bits(second)};
+    return {formulae::unit_from_bits(formulae::mirrored_bits(i)), formulae::unit_from_bits(second)};
 }
 
 }  // namespace patina::render

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/gtc/constants.hpp>
 #include <span>
 
 namespace patina::render {
@@ -35,9 +34,9 @@ Result<SampledEnvironment> upload_sampled_environment(const EnvironmentSampling&
 void bind_environment_samples(gl::Pass& pass, gl::Program& program,
                               const SampledEnvironment& environment, const StillDraw& draw) {
     pass.bind_texture(program, "environment_map", kMapUnit, environment.map, &environment.reading);
-    const glm::vec2 size(environment.map.size());
+    const glm::ivec2 size = environment.map.size();
     program.set("map_scale", environment.scale);
-    program.set("map_texel_angle", glm::two_pi<float>() / size.x * glm::pi<float>() / size.y);
+    program.set("map_texel_angle", texel_solid_angle_at_horizon(size.x, size.y));
     program.set("draw_index", draw.index);
     program.set("draw_count", draw.count);
 

@@ -11,7 +11,7 @@
 namespace patina::render {
 namespace {
 
-/// Where a direction meets the cube: s and t in -1..1. OpenGL 4.1 core, table 3.12.
+/// Where a direction meets the cube, s and t in -1..1: the inverse of formulae::cube_direction.
 struct FacePoint {
     int face;
     float s;

@@ -66,6 +66,11 @@ float texel_solid_angle(const RadianceMap& map, int y) {
                               map.width);
 }
 
+float texel_solid_angle_at_horizon(int width, int height) {
+    return glm::two_pi<float>() / static_cast<float>(width) * glm::pi<float>() /
+           static_cast<float>(height);
+}
+
 RadianceMap halved(const RadianceMap& map) {
     RadianceMap half{std::max(1, map.width / 2), std::max(1, map.height / 2), {}};
     half.texels.resize(std::size_t(half.width) * std::size_t(half.height));

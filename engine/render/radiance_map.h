@@ -40,6 +40,9 @@ glm::vec3 texel_direction(const RadianceMap& map, int x, int y);
 glm::vec3 radiance_from(const RadianceMap& map, const glm::vec3& direction_map);
 /// Steradians that a texel of row `y` covers.
 float texel_solid_angle(const RadianceMap& map, int y);
+/// Steradians that one at the horizon covers of a map of that size; elsewhere times the cosine of
+/// the elevation.
+float texel_solid_angle_at_horizon(int width, int height);
 
 /// Of linear Rec. 709; formulae::luminance of a vector.
 float luminance_of(const glm::vec3& linear);

@@ -47,17 +47,13 @@ float suns_missing(float level_share) {
     return clamp(level_share * (environment_levels - 1.0), 0.0, 1.0);
 }
 
-/// Radiance from a direction and around it, as the filtered levels would show it with their suns:
-/// the lobe that they are filtered with, about each sun.
+/// Radiance from a direction and around it, as the filtered levels would show it with their suns.
 vec3 environment_blurred(vec3 direction_world, float roughness) {
     vec3 direction = environment_from_world * direction_world;
     vec3 suns = vec3(0.0);
-    for (int i = 0; i < sun_count; ++i) {
-        float n_dot_l = max(dot(direction, sun_towards[i].xyz), 0.0);
-        float alpha = alpha_from_roughness(roughness_under_disc(roughness, sun_towards[i].w));
-        suns += sun_irradiance[i].rgb * n_dot_l * 0.25 *
-                distribution_ggx(sqrt(0.5 + 0.5 * n_dot_l), alpha);
-    }
+    for (int i = 0; i < sun_count; ++i)
+        suns += sun_irradiance[i].rgb *
+                disc_in_level(dot(direction, sun_towards[i].xyz), roughness, sun_towards[i].w);
     return environment_radiance(direction_world, roughness) +
            environment_intensity * suns_missing(prefiltered_level_share(roughness)) * suns;
 }

@@ -8,6 +8,7 @@
 #include "shared/color.glsl"
 #include "shared/environment.glsl"
 #include "shared/noise.glsl"
+#include "shared/sequence.glsl"
 
 const int LIGHT_SAMPLES = 8;  // of a draw
 const int LOBE_SAMPLES = 2;   // of a pixel in a draw
@@ -23,11 +24,9 @@ uniform int draw_index;
 uniform int draw_count;
 
 /// The level of detail rises with what one sample of the lobe stands for: little noise in few
-/// draws, and the map itself in many. J. Krivanek and M. Colbert, "Real-time shading with filtered
-/// importance sampling", 2008.
+/// draws, and the map itself in many.
 float level_for_density(float density) {
-    float solid_angle = 1.0 / (density * float(draw_count * LOBE_SAMPLES));
-    return max(0.5 * log2(solid_angle / map_texel_angle), 0.0);
+    return filtered_level(1.0 / (density * float(draw_count * LOBE_SAMPLES)), map_texel_angle);
 }
 
 vec3 map_radiance(vec3 direction_map, float level) {
@@ -46,7 +45,7 @@ vec2 lobe_point(vec2 pixel, int i) {
     uvec2 start = uvec2(lattice_hash(int(cell.x), int(cell.y), 1u),
                         lattice_hash(int(cell.x), int(cell.y), 2u));
     uvec2 at = start + uint(i) * uvec2(3242174889u, 2447445414u);
-    return vec2(unit_from_hash(at.x), unit_from_hash(at.y));
+    return vec2(unit_from_bits(at.x), unit_from_bits(at.y));
 }
 
 /// A direction of a surface's own lobe; density 0: it lies below the horizon.
@@ -58,8 +57,8 @@ struct LobeSample {
 LobeSample[LOBE_SAMPLES] lobe_samples(Surface s, PbrSurface p, vec3 v) {
     float alpha = alpha_from_roughness(s.roughness);
     vec3 across = v - dot(v, s.normal) * s.normal;
-    vec3 other = abs(s.normal.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-    vec3 tangent = normalize(dot(across, across) > 1e-10 ? across : cross(other, s.normal));
+    vec3 tangent =
+        dot(across, across) > 1e-10 ? normalize(across) : across_of(s.normal).x_axis;
     mat3 world_from_tangent = mat3(tangent, cross(s.normal, tangent), s.normal);
     vec3 v_tangent = vec3(sqrt(max(1.0 - p.n_dot_v * p.n_dot_v, 0.0)), 0.0, p.n_dot_v);
     LobeSample samples[LOBE_SAMPLES];

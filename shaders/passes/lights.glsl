@@ -2,7 +2,6 @@
 // Lamps: those of KHR_lights_punctual, and spheres and rectangles. Laid out in
 // engine/render/light_block.cpp.
 #include "shared/lamp.glsl"
-#include "shared/transcendental.glsl"
 
 const int MAX_LIGHTS = 256;
 const float DIRECTIONAL = 0.0;
@@ -36,15 +35,11 @@ bool has_size(Lamp lamp) {
 
 /// Of a lamp that has a size, as if all of it came from its middle.
 Incident incident_from_middle(Lamp lamp, vec3 direction, float distance2) {
-    float facing = 0.0;
-    if (lamp.position_kind.w == SPHERE) {
-        float radius2 = lamp.direction_size.w * lamp.direction_size.w;
-        facing = PI * radius2 / max(distance2, radius2);
-    } else {
-        float area = 4.0 * lamp.direction_size.w * lamp.across_size.w;
-        facing = area * max(dot(-direction, lamp.direction_size.xyz), 0.0) /
-                 max(distance2, area / PI);
-    }
+    float area = 4.0 * lamp.direction_size.w * lamp.across_size.w;
+    float facing = lamp.position_kind.w == SPHERE
+                       ? sphere_from_middle(distance2, lamp.direction_size.w)
+                       : rectangle_from_middle(distance2, area,
+                                               dot(-direction, lamp.direction_size.xyz));
     return Incident(direction, lamp.color_range.rgb * facing);
 }
 

@@ -6,10 +6,6 @@
 
 const BrdfTerms TERMS = BrdfTerms(DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE);
 
-/// The lecture's diffuse term is for lamps, whose light it does not divide by pi.
-const BrdfTerms AMBIENT_TERMS = BrdfTerms(
-    DISTRIBUTION, GEOMETRY, FRESNEL, DIFFUSE == DIFFUSE_LECTURE ? DIFFUSE_LAMBERT : DIFFUSE);
-
 struct Surface {
     vec3 base_color;
     float metalness;
@@ -27,7 +23,7 @@ struct Surface {
 /// What of uniform light comes back diffusely from a white surface with that F0 and F90.
 float environment_entering(vec3 f0_of_colors, float f90, float n_dot_v, float roughness) {
     float f0 = reflected_share(f0_of_colors);
-    if (AMBIENT_TERMS.diffuse == DIFFUSE_LAMBERT)
+    if (ambient_terms(TERMS).diffuse == DIFFUSE_LAMBERT)
         return 1.0 - mix(f0, f90, schlick_mean(n_dot_v));
     vec2 table = textureLod(diffuse_brdf, vec2(n_dot_v, roughness), 0.0).xy;
     return table.x * (1.0 - f0) - table.y * (f90 - f0);

@@ -29,12 +29,6 @@ uniform float phong_exponent_override;        // below 0: from roughness
 uniform vec3 phong_specular_color_override;  // below 0: from F0
 uniform float phong_specular_strength;       // times either colour
 
-/// F0 of what is not metal in a mixture: material_f0 solved for it.
-vec3 dielectric_part_f0(Surface s) {
-    vec3 rest = s.f0 - s.metalness * s.base_color;
-    return clamp(rest / max(1.0 - s.metalness, 1e-3), 0.0, 1.0);
-}
-
 /// Adds light of the environment from one direction; `received` is irradiance on a surface that
 /// faces it.
 void add_environment_light(inout Lit lit, Surface s, PbrSurface p, vec3 v, vec3 l, vec3 received,
@@ -42,8 +36,8 @@ void add_environment_light(inout Lit lit, Surface s, PbrSurface p, vec3 v, vec3 
     ReflectionAngles angles = reflection_angles(s.normal, v, l);
     vec3 light = environment_intensity * received * angles.n_dot_l;
     lit.diffuse_ambient += s.occlusion * light *
-                           brdf_diffuse(AMBIENT_TERMS, angles, p.diffuse, p.dielectric, s.f90,
-                                        s.roughness);
+                           brdf_diffuse(ambient_terms(TERMS), angles, p.diffuse, p.dielectric,
+                                        s.f90, s.roughness);
     lit.specular_ambient +=
         p.mirrored_share * specular_share * light * p.boost * brdf_specular(TERMS, angles, s.f0, s.f90, roughness);
 }
@@ -131,8 +125,8 @@ Lit lit_pbr(Surface s, vec3 v) {
     Lit lit = Lit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     PbrSurface p;
     p.diffuse = diffuse_color(s.base_color, s.metalness);
-    p.dielectric = dielectric_part_f0(s);
-    p.n_dot_v = clamp(dot(s.normal, v), LEAST_N_DOT_V, 1.0);
+    p.dielectric = dielectric_part_f0(s.f0, s.base_color, s.metalness);
+    p.n_dot_v = held_n_dot_v(s.normal, v);
     p.environment = environment_brdf_of(p.n_dot_v, s.roughness);
     p.mirrored_share =
         OCCLUDE_REFLECTIONS == 1

@@ -76,22 +76,6 @@ Real share_of_vector(Real3 vector, Real3 normal) {
     return sphere_share(dot(vector, normal) / facing, facing);
 }
 
-/// Two unit vectors across z, which make a right-handed frame with it. T. Duff and others, "Building
-/// an orthonormal basis, revisited", 2017.
-struct Across {
-    Real3 x_axis;
-    Real3 y_axis;
-};
-Across across_of(Real3 z) {
-    Real side = select(z.z < 0.0f, Real(-1.0f), Real(1.0f));
-    Real a = -1.0f / (side + z.z);
-    Real b = z.x * z.y * a;
-    Across frame;
-    frame.x_axis = Real3(1.0f + side * z.x * z.x * a, side * b, -side * z.x);
-    frame.y_axis = Real3(b, side + z.y * z.y * a, -z.y);
-    return frame;
-}
-
 /// 1 - the cosine of the angle that a sphere's radius fills.
 Real cone_height(Real sine2) {
     Real s2 = clamp(sine2, 1e-12f, 1.0f);
@@ -234,14 +218,8 @@ Real3 highlight_direction(Highlight highlight, Real3 v, Real3 n) {
 /// distributions but GGX the share is that of GGX times how they compare there.
 Real3 brdf_of_highlight(BrdfTerms terms, ReflectionAngles angles, Real share, Real3 f0, Real f90,
                         Real roughness) {
-    Real alpha = alpha_from_roughness(roughness);
-    Real compared = 1.0f;
-    if (terms.distribution != DISTRIBUTION_GGX)
-        compared = distribution(terms.distribution, angles.n_dot_h, alpha) /
-                   distribution_ggx(angles.n_dot_h, alpha);
-    Real weight = 4.0f * angles.n_dot_l * angles.v_dot_h / max(angles.n_dot_h, 1e-3f) *
-                  visibility(terms.geometry, angles.n_dot_l, angles.n_dot_v, alpha);
-    return fresnel(terms.fresnel, angles.v_dot_h, f0, f90) * (share * compared * weight);
+    Real worth = mirrored_worth(terms, angles, alpha_from_roughness(roughness));
+    return fresnel(terms.fresnel, angles.v_dot_h, f0, f90) * (share * worth);
 }
 
 // Drawing directions towards them, with a density per steradian.

@@ -34,11 +34,24 @@ struct BrdfTerms {
     int diffuse;
 };
 
+/// The terms for light from all around: the lecture's diffuse term is for lamps, whose light it does
+/// not divide by pi, and gives way to Lambert's.
+BrdfTerms ambient_terms(BrdfTerms terms) {
+    BrdfTerms ambient = terms;
+    if (terms.diffuse == DIFFUSE_LECTURE) ambient.diffuse = DIFFUSE_LAMBERT;
+    return ambient;
+}
+
 // Below it a highlight is narrower than float cosines near 1 can tell apart.
 const float LEAST_ALPHA = 0.002f;
 // n.v is held above it, so that surfaces seen edge-on (or from behind, by an interpolated normal)
 // stay finite.
 const float LEAST_N_DOT_V = 1e-4f;
+
+/// n.v of a surface as all terms read it.
+Real held_n_dot_v(Real3 n, Real3 v) {
+    return clamp(dot(n, v), LEAST_N_DOT_V, 1.0f);
+}
 
 /// The width of the microfacet distribution.
 Real alpha_from_roughness(Real roughness) {
@@ -193,6 +206,11 @@ Real3 material_f0(Real3 dielectric, Real3 base_color, Real metalness) {
     return mix(dielectric, base_color, metalness);
 }
 
+/// F0 of what is not metal in a material, 0..1: material_f0 solved for it. Metal alone has lost it.
+Real3 dielectric_part_f0(Real3 f0, Real3 base_color, Real metalness) {
+    return clamp((f0 - metalness * base_color) / max(1.0f - metalness, 1e-3f), 0.0f, 1.0f);
+}
+
 /// F90 of a material: 1 for metals, the specular factor for dielectrics.
 Real material_f90(Real specular_factor, Real metalness) {
     return mix(specular_factor, Real(1.0f), metalness);
@@ -240,7 +258,7 @@ ReflectionAngles reflection_angles(Real3 n, Real3 v, Real3 l) {
     Real3 h = between * inversesqrt(max(dot(between, between), 1e-12f));
     ReflectionAngles angles;
     angles.n_dot_l = clamp(dot(n, l), 0.0f, 1.0f);
-    angles.n_dot_v = clamp(dot(n, v), LEAST_N_DOT_V, 1.0f);
+    angles.n_dot_v = held_n_dot_v(n, v);
     angles.n_dot_h = clamp(dot(n, h), 0.0f, 1.0f);
     angles.v_dot_h = clamp(dot(v, h), 0.0f, 1.0f);
     angles.l_dot_v = clamp(dot(l, v), -1.0f, 1.0f);
@@ -305,16 +323,20 @@ Real horizon_share(Real cosine) {
 
 // Sampling. Directions are in the tangent frame: z along the normal.
 
-/// Point i of a set of `count` in the unit square. J. M. Hammersley, 1960; the second coordinate is
-/// van der Corput's: the bits of i mirrored about the binary point (exact for 2^23 points).
-Real2 hammersley(Uint i, uint count) {
-    Uint b = (i << 16) | (i >> 16);
-    b = ((b & 0x00ff00ffu) << 8) | ((b & 0xff00ff00u) >> 8);
-    b = ((b & 0x0f0f0f0fu) << 4) | ((b & 0xf0f0f0f0u) >> 4);
-    b = ((b & 0x33333333u) << 2) | ((b & 0xccccccccu) >> 2);
-    b = ((b & 0x55555555u) << 1) | ((b & 0xaaaaaaaau) >> 1);
-    Real mirrored = Real(Int(b >> 8)) * 5.9604644775390625e-8f;  // 2^-24
-    return Real2(Real(Int(i)) / float(count), mirrored);
+/// Two unit vectors across z, which make a right-handed frame with it. T. Duff and others, "Building
+/// an orthonormal basis, revisited", 2017.
+struct Across {
+    Real3 x_axis;
+    Real3 y_axis;
+};
+Across across_of(Real3 z) {
+    Real side = select(z.z < 0.0f, Real(-1.0f), Real(1.0f));
+    Real a = -1.0f / (side + z.z);
+    Real b = z.x * z.y * a;
+    Across frame;
+    frame.x_axis = Real3(1.0f + side * z.x * z.x * a, side * b, -side * z.x);
+    frame.y_axis = Real3(b, side + z.y * z.y * a, -z.y);
+    return frame;
 }
 
 /// A direction by its cosine to z and a turn 0..1 about it.
@@ -333,6 +355,18 @@ Real3 sample_ggx_half_vector(Real2 u, Real alpha) {
 /// How dense the directions are that the eye sees mirrored by half vectors so drawn, a steradian.
 Real ggx_mirrored_density(Real n_dot_h, Real v_dot_h, Real alpha) {
     return distribution_ggx(n_dot_h, alpha) * n_dot_h / (4.0f * max(v_dot_h, 1e-4f));
+}
+
+/// What light from a direction drawn so is worth before the Fresnel term: (n.l) D V of the terms over
+/// ggx_mirrored_density. Its mean is what a surface with F = 1 reflects of uniform light. n.l is at
+/// most 2 (v.h) (n.h), but where the eye is behind an interpolated normal: there, and nowhere else,
+/// the floor of n.h is met, and keeps single pixels from sparkling.
+Real mirrored_worth(BrdfTerms terms, ReflectionAngles angles, Real alpha) {
+    Real worth = 4.0f * angles.n_dot_l * angles.v_dot_h / max(angles.n_dot_h, 1e-3f) *
+                 visibility(terms.geometry, angles.n_dot_l, angles.n_dot_v, alpha);
+    if (terms.distribution == DISTRIBUTION_GGX) return worth;
+    return worth * (distribution(terms.distribution, angles.n_dot_h, alpha) /
+                    distribution_ggx(angles.n_dot_h, alpha));
 }
 
 /// A half vector that the eye at v (unit, z > 0) sees, for u of the unit square.

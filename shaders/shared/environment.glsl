@@ -5,8 +5,8 @@
 #include "shared/brdf.glsl"
 #include "shared/transcendental.glsl"
 
-// Light from all around: which direction a texel stands for, spherical harmonics, and what the
-// split sum adds up. Directions are unit vectors in the world: +Y up, right-handed.
+// Light from all around: which direction a texel stands for, and what the split sum adds up.
+// Directions are unit vectors in the world: +Y up, right-handed.
 
 /// Where a direction reads an equirectangular map: u = 0.5 + atan2(z, x) / 2pi to the right,
 /// v = acos(y) / pi from the top row, both 0..1. The centre lies towards +X.
@@ -25,7 +25,7 @@ Real3 equirect_direction(Real2 uv) {
 
 /// The direction, not of unit length, through point (s, t) of a cube's face, each -1..1: s to the
 /// right and t down the rows of the face. Faces +X -X +Y -Y +Z -Z are 0..5.
-/// OpenGL 4.1, table 3.19. The greatest component is 1.
+/// OpenGL 4.1, "Cube Map Texture Selection". The greatest component is 1.
 Real3 cube_direction(int face, Real s, Real t) {
     if (face == 0) return Real3(1.0f, -t, -s);
     if (face == 1) return Real3(-1.0f, -t, s);
@@ -42,40 +42,6 @@ Real cube_texel_solid_angle(Real s, Real t, float size) {
     return (4.0f / (size * size)) / (distance2 * sqrt(distance2));
 }
 
-/// Nine numbers: coefficients, or values of the basis, of real spherical harmonics of order 0 to 2.
-struct Sh9 {
-    Real value[9];
-};
-
-/// The basis in a direction. Orthonormal over the sphere.
-/// R. Ramamoorthi and P. Hanrahan, "An efficient representation for irradiance environment maps",
-/// SIGGRAPH 2001.
-Sh9 sh9_basis(Real3 d) {
-    Sh9 basis;
-    basis.value[0] = 0.282094792f;
-    basis.value[1] = 0.488602512f * d.y;
-    basis.value[2] = 0.488602512f * d.z;
-    basis.value[3] = 0.488602512f * d.x;
-    basis.value[4] = 1.092548431f * d.x * d.y;
-    basis.value[5] = 1.092548431f * d.y * d.z;
-    basis.value[6] = 0.315391565f * (3.0f * d.z * d.z - 1.0f);
-    basis.value[7] = 1.092548431f * d.x * d.z;
-    basis.value[8] = 0.546274215f * (d.x * d.x - d.y * d.y);
-    return basis;
-}
-
-/// Irradiance / pi on a surface that faces the direction whose basis is given, from the projection
-/// of radiance onto the basis: a convolution with the cosine. Uniform radiance gives itself.
-Real sh9_irradiance_over_pi(Sh9 radiance, Sh9 basis) {
-    Real order0 = radiance.value[0] * basis.value[0];
-    Real order1 = radiance.value[1] * basis.value[1] + radiance.value[2] * basis.value[2] +
-                  radiance.value[3] * basis.value[3];
-    Real order2 = radiance.value[4] * basis.value[4] + radiance.value[5] * basis.value[5] +
-                  radiance.value[6] * basis.value[6] + radiance.value[7] * basis.value[7] +
-                  radiance.value[8] * basis.value[8];
-    return order0 + order1 * (2.0f / 3.0f) + order2 * 0.25f;
-}
-
 /// What one sample adds to the split sum: its light direction in the tangent frame (z along the
 /// normal, the eye in the x-z plane), and the scale and bias of F0 in the directional albedo. The
 /// means over the unit square are the albedo F0 * scale + bias. 0 where the light is below. With it
@@ -87,24 +53,23 @@ struct SplitSumSample {
     Real density;
 };
 
-/// For u of the unit square. Brian Karis, "Real shading in Unreal Engine 4", 2013. Other
-/// distributions are weighted against GGX, which is drawn.
+/// For u of the unit square. Brian Karis, "Real shading in Unreal Engine 4", 2013.
 SplitSumSample split_sum_sample(BrdfTerms terms, Real2 u, Real n_dot_v, Real alpha) {
     Real3 h = sample_ggx_half_vector(u, alpha);
     Real3 v = Real3(sqrt(max(1.0f - n_dot_v * n_dot_v, 0.0f)), 0.0f, n_dot_v);
-    Real v_dot_h = clamp(dot(v, h), 0.0f, 1.0f);
+    ReflectionAngles angles;
+    angles.v_dot_h = clamp(dot(v, h), 0.0f, 1.0f);
     SplitSumSample result;
-    result.light = h * (2.0f * v_dot_h) - v;
-    Real n_dot_l = result.light.z;
-    Real lit = visibility(terms.geometry, max(n_dot_l, 0.0f), n_dot_v, alpha) * 4.0f * n_dot_l *
-               v_dot_h / max(h.z, 1e-6f);
-    if (terms.distribution != DISTRIBUTION_GGX)
-        lit = lit * (distribution(terms.distribution, h.z, alpha) / distribution_ggx(h.z, alpha));
-    Real weight = select(n_dot_l > 0.0f, lit, 0.0f);
-    Real grazing = fresnel(terms.fresnel, v_dot_h, Real3(0.0f), Real(1.0f)).x;
+    result.light = h * (2.0f * angles.v_dot_h) - v;
+    angles.n_dot_l = max(result.light.z, 0.0f);
+    angles.n_dot_v = n_dot_v;
+    angles.n_dot_h = h.z;
+    angles.l_dot_v = 2.0f * angles.v_dot_h * angles.v_dot_h - 1.0f;
+    Real weight = mirrored_worth(terms, angles, alpha);
+    Real grazing = fresnel(terms.fresnel, angles.v_dot_h, Real3(0.0f), Real(1.0f)).x;
     result.scale = (1.0f - grazing) * weight;
     result.bias = grazing * weight;
-    result.density = ggx_mirrored_density(h.z, v_dot_h, alpha);
+    result.density = ggx_mirrored_density(h.z, angles.v_dot_h, alpha);
     return result;
 }
 
@@ -141,6 +106,24 @@ Real prefiltered_level_share(Real roughness) {
 /// The roughness that a level is filtered for.
 Real prefiltered_roughness(Real level_share) {
     return 1.5f - sqrt(max(2.25f - 2.0f * level_share, 0.0f));
+}
+
+/// The level of a map whose texels are as large as what one of the drawn directions stands for; both
+/// solid angles in steradians, that of a texel in level 0. J. Krivanek and M. Colbert, "Real-time
+/// shading with filtered importance sampling", 2008.
+Real filtered_level(Real solid_angle, Real texel_angle) {
+    return max(0.5f * log2_poly(solid_angle / texel_angle), 0.0f);
+}
+
+/// What a level filtered for that roughness shows of a small disc of light, `radius` radians, that
+/// gives what faces it irradiance 1. cosine: of the angle between the disc's middle and where the
+/// level is read. The lobe that levels are filtered with has the normal and the eye there:
+/// h is half way from it to the disc.
+Real disc_in_level(Real cosine, Real roughness, float radius) {
+    Real n_dot_l = max(cosine, 0.0f);
+    Real n_dot_h = sqrt(0.5f + 0.5f * n_dot_l);
+    Real alpha = alpha_from_roughness(roughness_under_disc(roughness, radius));
+    return n_dot_l * ggx_mirrored_density(n_dot_h, n_dot_h, alpha);
 }
 
 #endif

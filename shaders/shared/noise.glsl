@@ -2,6 +2,8 @@
 #ifndef SHARED_NOISE_GLSL
 #define SHARED_NOISE_GLSL
 
+#include "shared/sequence.glsl"
+
 // Noises on a lattice of unit cells, 0..1, tiling after `period` cells in x and in y. The lattice
 // is hashed in integers, so that a seed gives the same noise on every machine; seeds are unrelated.
 //
@@ -57,11 +59,6 @@ uint derived_seed(uint seed, int part) {
     return h ^ (h >> 15);
 }
 
-/// The upper 24 bits of a hash as a number in 0..1, 1 excluded. Exact.
-Real unit_from_hash(Uint hash) {
-    return Real(Int(hash >> 8)) * 5.9604644775390625e-8f;  // 2^-24
-}
-
 /// Perlin's fade 6t^5 - 15t^4 + 10t^3: first and second derivatives are 0 at 0 and 1.
 /// Ken Perlin, "Improving noise", SIGGRAPH 2002.
 Real quintic_fade(Real t) {
@@ -106,10 +103,10 @@ struct ValueCorners {
 ValueCorners value_corners(Real2 cell, int period, uint seed) {
     CornerHashes hashes = corner_hashes(cell, period, period, seed);
     ValueCorners corners;
-    corners.v00 = unit_from_hash(hashes.h00);
-    corners.v10 = unit_from_hash(hashes.h10);
-    corners.v01 = unit_from_hash(hashes.h01);
-    corners.v11 = unit_from_hash(hashes.h11);
+    corners.v00 = unit_from_bits(hashes.h00);
+    corners.v10 = unit_from_bits(hashes.h10);
+    corners.v01 = unit_from_bits(hashes.h01);
+    corners.v11 = unit_from_bits(hashes.h11);
     return corners;
 }
 Real value_between(ValueCorners corners, NoisePlace place) {
@@ -429,7 +426,7 @@ FeatureWays feature_ways(FeaturePoints points, NoisePlace place) {
 
 /// The random number of a feature point's cell.
 Real feature_value(Uint hash) {
-    return unit_from_hash(hash * 0x9e3779b1u);
+    return unit_from_bits(hash * 0x9e3779b1u);
 }
 
 Real cells_between(FeaturePoints points, NoisePlace place, float footprint) {

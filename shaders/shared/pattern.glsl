@@ -3,6 +3,7 @@
 #define SHARED_PATTERN_GLSL
 
 #include "shared/noise.glsl"
+#include "shared/sequence.glsl"
 #include "shared/transcendental.glsl"
 
 // Patterns of cells, 0..1, tiling after whole numbers of columns and rows. Each is limited to what a
@@ -74,7 +75,7 @@ Real odd(Real cell) {
 
 /// A random number of a cell, 0..1; `part` tells apart those of one cell.
 Real cell_value(Pattern pattern, Real cell_x, Real cell_y, int part) {
-    return unit_from_hash(lattice_hash(wrapped_cell(cell_x, pattern.columns),
+    return unit_from_bits(lattice_hash(wrapped_cell(cell_x, pattern.columns),
                                        wrapped_cell(cell_y, pattern.rows),
                                        derived_seed(pattern.seed, part)));
 }

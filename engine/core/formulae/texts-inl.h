@@ -22,6 +22,7 @@
 #undef SHARED_PHONG_GLSL
 #undef SHARED_PROJECTION_GLSL
 #undef SHARED_RAMP_GLSL
+#undef SHARED_SEQUENCE_GLSL
 #undef SHARED_TONE_MAP_GLSL
 #undef SHARED_TRANSCENDENTAL_GLSL
 
@@ -45,5 +46,6 @@
 #include "shared/phong.glsl"
 #include "shared/projection.glsl"
 #include "shared/ramp.glsl"
+#include "shared/sequence.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/transcendental.glsl"

@@ -85,8 +85,8 @@ TEST(Procedurals, PlacesThatAProjectionScattersAreLookedUpOneByOne) {
     float u[kTileTexels], v[kTileTexels];
     ProceduralTask task = run_of(ProceduralKind::Cells, 1024);
     for (int i = 0; i < kTileTexels; ++i) {
-        u[i] = formulae::unit_from_hash(formulae::lattice_hash(i, 0, 1u));
-        v[i] = formulae::unit_from_hash(formulae::lattice_hash(i, 1, 1u));
+        u[i] = formulae::unit_from_bits(formulae::lattice_hash(i, 0, 1u));
+        v[i] = formulae::unit_from_bits(formulae::lattice_hash(i, 1, 1u));
     }
     alignas(64) float scattered[kTileTexels];
     float* const planes[3] = {scattered, nullptr, nullptr};

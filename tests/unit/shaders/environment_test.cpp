@@ -10,7 +10,6 @@ namespace {
 
 using formulae::Real2;
 using formulae::Real3;
-using formulae::Sh9;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -36,7 +35,8 @@ TEST(Environment, DirectionsAndEquirectCoordinatesAreInverse) {
 }
 
 TEST(Environment, CubeFacesFollowOpenGl) {
-    // OpenGL 4.1, table 3.19: for each face the major axis and what s and t read of the direction.
+    // OpenGL 4.1, "Cube Map Texture Selection": for each face the major axis and what s and t read
+    // of the direction.
     for (int face = 0; face < 6; ++face) {
         const float s = 0.25f, t = -0.5f;
         const Real3 d = formulae::cube_direction(face, s, t);
@@ -49,70 +49,43 @@ TEST(Environment, CubeFacesFollowOpenGl) {
     }
 }
 
-/// Sums `f(direction, solid angle)` over the texels of a cube.
-template <typename Function>
-void for_each_cube_texel(int size, const Function& f) {
-    for (int face = 0; face < 6; ++face)
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x) {
-                const float s =
-                    2.0f * (static_cast<float>(x) + 0.5f) / static_cast<float>(size) - 1.0f;
-                const float t =
-                    2.0f * (static_cast<float>(y) + 0.5f) / static_cast<float>(size) - 1.0f;
-                f(formulae::normalize(formulae::cube_direction(face, s, t)),
-                  double{formulae::cube_texel_solid_angle(s, t, static_cast<float>(size))});
-            }
-}
-
 TEST(Environment, TheTexelsOfACubeCoverTheSphere) {
-    double total = 0;
-    for_each_cube_texel(64, [&](const Real3&, double solid_angle) { total += solid_angle; });
-    EXPECT_NEAR(total, 4 * kPi, 2e-3);
+    const int size = 64;
+    double face = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const float s = 2.0f * (static_cast<float>(x) + 0.5f) / size - 1.0f;
+            const float t = 2.0f * (static_cast<float>(y) + 0.5f) / size - 1.0f;
+            face += double{formulae::cube_texel_solid_angle(s, t, size)};
+        }
+    EXPECT_NEAR(6 * face, 4 * kPi, 2e-3);
 }
 
-TEST(Environment, TheHarmonicsAreOrthonormal) {
-    double products[9][9] = {};
-    for_each_cube_texel(48, [&](const Real3& direction, double solid_angle) {
-        const Sh9 basis = formulae::sh9_basis(direction);
-        for (int i = 0; i < 9; ++i)
-            for (int k = 0; k < 9; ++k)
-                products[i][k] += double{basis.value[i]} * basis.value[k] * solid_angle;
-    });
-    for (int i = 0; i < 9; ++i)
-        for (int k = 0; k < 9; ++k) EXPECT_NEAR(products[i][k], i == k ? 1.0 : 0.0, 2e-3);
+TEST(Environment, AFilteredLevelHasTexelsAsLargeAsWhatIsRead) {
+    EXPECT_EQ(formulae::filtered_level(0.5f, 0.5f), 0.0f);
+    EXPECT_EQ(formulae::filtered_level(0.1f, 0.5f), 0.0f);
+    EXPECT_EQ(formulae::filtered_level(8.0f, 0.5f), 2.0f);
 }
 
-/// Radiance, a function of direction, projected onto the basis.
-template <typename Radiance>
-Sh9 projected(const Radiance& radiance) {
-    double sums[9] = {};
-    for_each_cube_texel(48, [&](const Real3& direction, double solid_angle) {
-        const Sh9 basis = formulae::sh9_basis(direction);
-        for (int i = 0; i < 9; ++i)
-            sums[i] += double{basis.value[i]} * radiance(direction) * solid_angle;
-    });
-    Sh9 result;
-    for (int i = 0; i < 9; ++i) result.value[i] = static_cast<float>(sums[i]);
-    return result;
-}
-
-TEST(Environment, UniformLightGivesItselfAsIrradiance) {
-    const Sh9 radiance = projected([](const Real3&) { return 2.5f; });
-    for (const Real3& normal : {Real3(0.0f, 1.0f, 0.0f), Real3(0.6f, 0.0f, -0.8f)})
-        EXPECT_NEAR(formulae::sh9_irradiance_over_pi(radiance, formulae::sh9_basis(normal)), 2.5f,
-                    5e-3f);
-}
-
-TEST(Environment, IrradianceOfASmoothSkyIsItsConvolutionWithACosine) {
-    const auto sky = [](const Real3& d) { return 1.0f + 0.5f * d.y + 0.3f * d.x * d.z; };
-    const Sh9 radiance = projected(sky);
-    const Real3 normal = formulae::normalize({0.5f, 0.7f, -0.3f});
-    double expected = 0;
-    for_each_cube_texel(96, [&](const Real3& d, double solid_angle) {
-        expected += sky(d) * std::max(0.0f, formulae::dot(d, normal)) * solid_angle / kPi;
-    });
-    EXPECT_NEAR(formulae::sh9_irradiance_over_pi(radiance, formulae::sh9_basis(normal)), expected,
-                2e-3);
+TEST(Environment, ADiscInALevelIsSpreadLikeTheLobe) {
+    // What all directions together show of it is the mean of n.l over the lobe, times its
+    // irradiance.
+    const float roughness = 0.5f, radius = 0.05f;
+    const float alpha =
+        formulae::alpha_from_roughness(formulae::roughness_under_disc(roughness, radius));
+    double shown = 0, mean = 0;
+    const int steps = 4000;
+    for (int i = 0; i < steps; ++i) {
+        const double polar = (i + 0.5) * kPi / 2 / steps;
+        shown += double{formulae::disc_in_level(static_cast<float>(std::cos(polar)), roughness,
+                                                radius)} *
+                 2 * kPi * std::sin(polar) * kPi / 2 / steps;
+        const Real3 h =
+            formulae::sample_ggx_half_vector({0.0f, (static_cast<float>(i) + 0.5f) / steps}, alpha);
+        mean += std::max(2.0 * h.z * h.z - 1.0, 0.0) / steps;
+    }
+    EXPECT_NEAR(shown, mean, 2e-3);
+    EXPECT_EQ(formulae::disc_in_level(-0.5f, roughness, radius), 0.0f);
 }
 
 /// A texel of the split sum's table.

@@ -117,7 +117,7 @@ TEST(Noise, SeedsGiveUnrelatedPictures) {
 TEST(Noise, NeighbouringCellsAreUnrelated) {
     std::vector<float> here, right, below, diagonal;
     const auto at = [](int x, int y) {
-        return formulae::unit_from_hash(formulae::lattice_hash(x, y, 7u));
+        return formulae::unit_from_bits(formulae::lattice_hash(x, y, 7u));
     };
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 200; ++x) {

@@ -25,6 +25,7 @@
 #include "shared/phong.glsl"
 #include "shared/projection.glsl"
 #include "shared/ramp.glsl"
+#include "shared/sequence.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/transcendental.glsl"
 
@@ -218,11 +219,9 @@ Real4 probe_phong(int which, Real4 a, Real4 b) {
 
 Real4 probe_environment(int which, Real4 a, Real4 b) {
     Real3 direction = equirect_direction(Real2(a.x, a.y));
-    if (which == 0) {
-        Sh9 basis = sh9_basis(direction);
-        Sh9 radiance = sh9_basis(probe_normal(b));
-        return Real4(direction, sh9_irradiance_over_pi(radiance, basis));
-    }
+    if (which == 0)
+        return Real4(direction, filtered_level(0.01f + b.x, Real(0.02f)) +
+                                    disc_in_level(2.0f * b.y - 1.0f, 0.5f + 0.5f * b.z, 0.1f));
     if (which == 1) {
         // Away from the seam and the poles, where a rounding of the direction turns the angle.
         Real3 middle = equirect_direction(Real2(0.1f + 0.8f * a.x, 0.1f + 0.8f * a.y));
@@ -316,6 +315,7 @@ Real4 probe_ambient(int which, Real4 a, Real4 b) {
     terms.geometry = GEOMETRY_SCHLICK_GGX;
     terms.fresnel = FRESNEL_SPHERICAL_GAUSSIAN;
     terms.diffuse = DIFFUSE_OREN_NAYAR;
+    terms = ambient_terms(terms);
     Real2 point = hammersley(Uint(Int(a.x * 63.0f)), 64u);
     if (which == 1) {
         SplitSumSample table = split_sum_sample(terms, point, 0.1f + 0.9f * b.x,
@@ -353,6 +353,13 @@ Real4 probe_fading(Real4 a, Real4 b) {
                  faded_result(shown_about(0.4f, 1.0f), b.y, 0.7f));
 }
 
+Real4 probe_from_middle(Real4 a, Real4 b) {
+    Real2 pixel = floor(Real2(a.x * 7.0f, b.x * 7.0f));
+    return Real4(interleaved_gradient_noise(pixel), sphere_from_middle(0.1f + a.y, b.y),
+                 rectangle_from_middle(0.1f + a.z, b.z, 2.0f * a.w - 1.0f),
+                 dielectric_part_f0(Real3(b.w), Real3(0.2f), 0.9f * a.x).x);
+}
+
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.
 Real4 probe(int which, Real4 a, Real4 b) {
     if (which < 13) return probe_blend(which, a, b);
@@ -372,6 +379,7 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which == 57) return probe_projection(a, b);
     if (which == 58) return probe_lamp(a, b);
     if (which == 59) return probe_fading(a, b);
+    if (which == 60) return probe_from_middle(a, b);
     return Real4(-1.0f);
 }
 

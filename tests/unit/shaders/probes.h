@@ -60,7 +60,7 @@ inline constexpr Probe kProbes[] = {
     {"tone_map_agx", 2e-5f},
     {"tone_map_pbr_neutral", 4e-6f},
     {"heat_map_inferno", 1e-5f},
-    {"equirect_direction, sh9_basis, sh9_irradiance_over_pi", 4e-6f},
+    {"equirect_direction, filtered_level, disc_in_level", 2e-5f},
     {"equirect_uv, cube_texel_solid_angle, cube_direction", 4e-6f},
     {"split_sum_sample, schlick_mean, roughness_under_disc, prefiltered_roughness ...", 1e-4f},
     {"sample_ggx_visible_half_vector, ggx_visible_density", 3e-4f},
@@ -78,6 +78,7 @@ inline constexpr Probe kProbes[] = {
     {"projection_weights, projected_place, projected_lean", 1e-5f},
     {"range_window, cone_window, rectangle_point", 1e-5f},
     {"spread_pattern, faded_result", 2e-6f},
+    {"interleaved_gradient_noise, sphere_from_middle, rectangle_from_middle", 1e-5f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 
