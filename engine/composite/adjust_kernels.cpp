@@ -40,9 +40,9 @@ HWY_INLINE void each_value(const float* const* from, float* const* to, int plane
     for (int k = 0; k < planes; ++k)
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += lane_count()) {
             Real value = load(from[k] + i);
-            if (height) value = clamp(value * 0.5f + 0.5f, 0.0f, 1.0f);
+            if (height) value = clamp(formulae::encoded_from_signed(value), 0.0f, 1.0f);
             value = change(value);
-            if (height) value = value * 2.0f - 1.0f;
+            if (height) value = formulae::signed_from_encoded(value);
             store(value, to[k] + i);
         }
 }

@@ -69,7 +69,7 @@ void read_by_type(const ReadTask& task) {
 HWY_INLINE Real adjusted(const Adjustment& adjustment, Real value, int k) {
     if (adjustment.invert) value = 1.0f - value;
     if (adjustment.decode) value = formulae::linear_from_srgb(value);
-    if (adjustment.unpack) value = value * 2.0f - 1.0f;
+    if (adjustment.unpack) value = formulae::signed_from_encoded(value);
     if (adjustment.flip_y && k == 1) value = -value;
     if (adjustment.scale) value = value * adjustment.multiply[k] + adjustment.add[k];
     return value;

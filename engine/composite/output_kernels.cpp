@@ -29,7 +29,7 @@ HWY_INLINE Real3 encoded(Real3 value) {
     if constexpr (kEncoding == OutputEncoding::LinearColor)
         return formulae::srgb_from_linear(value);
     else if constexpr (kEncoding == OutputEncoding::Normal)
-        return formulae::encoded_from_normal(value);
+        return formulae::encoded_from_signed(value);
     else
         return value;
 }

@@ -17,9 +17,11 @@ constexpr const char* kTransform = "KHR_texture_transform";
 constexpr float kDielectricSpecular = 0.04f;
 constexpr float kEpsilon = 1e-6f;
 
+/// As the converter beside the extension's specification has it: HSP's brightness (Darel Rex Finley,
+/// "HSP color model", 2006).
 float perceived_brightness(const glm::vec3& color) {
-    return std::sqrt(0.299f * color.r * color.r + 0.587f * color.g * color.g +
-                     0.114f * color.b * color.b);
+    const glm::vec3 square = color * color;
+    return std::sqrt(formulae::luma_bt601({square.r, square.g, square.b}));
 }
 
 float solve_metallic(float diffuse, float specular, float one_minus_specular) {

@@ -190,7 +190,9 @@ float deviation_of(TexelStorage storage, const MipLevel& fine, const Span& xs, c
     for (int y = ys.first; y < ys.last; ++y)
         for (int x = xs.first; x < xs.last; ++x) {
             const glm::vec4 values = values_at(storage, fine, texel_index(fine, x, y));
-            const glm::vec3 normal = glm::vec3(values) * 2.0f - 1.0f;
+            const glm::vec3 normal(formulae::signed_from_encoded(values.x),
+                                   formulae::signed_from_encoded(values.y),
+                                   formulae::signed_from_encoded(values.z));
             mean += share * normal;
             mean_of_squares += share * glm::dot(normal, normal);
             within += share * values.a * values.a;

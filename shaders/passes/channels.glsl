@@ -5,6 +5,7 @@
 
 #include "passes/output.glsl"
 #include "shared/color.glsl"
+#include "shared/normal_blend.glsl"
 
 uniform vec3 range_low;   // ChannelDisplay::Range: what is black
 uniform vec3 range_high;  // what is white
@@ -44,7 +45,7 @@ vec3 encoded_channel(vec3 value) {
         vec3 shown = CHANNEL == CHANNEL_UV0 || CHANNEL == CHANNEL_UV1 ? fract(value) : value;
         return srgb_from_linear(clamp(shown, 0.0, 1.0));
     }
-    if (CHANNEL_DISPLAY == DISPLAY_DIRECTION) return value * 0.5 + 0.5;
+    if (CHANNEL_DISPLAY == DISPLAY_DIRECTION) return encoded_from_signed(value);
     if (CHANNEL_DISPLAY == DISPLAY_RANGE)
         return clamp((value - range_low) / (range_high - range_low), 0.0, 1.0);
     return clamp(value, 0.0, 1.0);

@@ -6,6 +6,7 @@
 // Constant: FILTER_NORMALS, 1 where roughness takes in what of the normal map is finer than a pixel.
 
 #include "shared/brdf.glsl"
+#include "shared/normal_blend.glsl"
 
 #ifndef FILTER_NORMALS
 #define FILTER_NORMALS 0
@@ -60,12 +61,19 @@ struct Material {
     float occlusion;
 };
 
-vec4 slot_value(int slot, sampler2D map) {
+bool has_texture(int slot) {
+    return material.slots[slot].uv_row_v.w > 0.5;
+}
+
+/// Where a slot reads its texture.
+vec2 slot_uv(int slot) {
     vec4 row_u = material.slots[slot].uv_row_u;
-    vec4 row_v = material.slots[slot].uv_row_v;
     vec3 uv = vec3(row_u.w < 0.5 ? uvs.xy : uvs.zw, 1.0);
-    vec4 texel = row_v.w < 0.5 ? vec4(1.0)
-                               : texture(map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv)), level_bias);
+    return vec2(dot(row_u.xyz, uv), dot(material.slots[slot].uv_row_v.xyz, uv));
+}
+
+vec4 slot_value(int slot, sampler2D map) {
+    vec4 texel = has_texture(slot) ? texture(map, slot_uv(slot), level_bias) : vec4(1.0);
     return texel * material.slots[slot].multiply + material.slots[slot].add;
 }
 
@@ -82,14 +90,11 @@ ShadingNormal shading_normal() {
     vec3 surface = normalize(normal_world);
     vec3 normal = surface;
     float variance = 0.0;
-    vec4 row_u = material.slots[SLOT_NORMAL].uv_row_u;
-    vec4 row_v = material.slots[SLOT_NORMAL].uv_row_v;
-    if (row_v.w > 0.5 && tangent_world.w != 0.0) {
-        vec3 uv = vec3(row_u.w < 0.5 ? uvs.xy : uvs.zw, 1.0);
-        vec4 stored =
-            texture(normal_map, vec2(dot(row_u.xyz, uv), dot(row_v.xyz, uv)), level_bias);
+    if (has_texture(SLOT_NORMAL) && tangent_world.w != 0.0) {
+        vec4 stored = texture(normal_map, slot_uv(SLOT_NORMAL), level_bias);
         vec3 scale = material.slots[SLOT_NORMAL].multiply.xyz;
-        vec3 mapped = (stored.xyz * 2.0 - 1.0) * scale + material.slots[SLOT_NORMAL].add.xyz;
+        vec3 mapped =
+            signed_from_encoded(stored.xyz) * scale + material.slots[SLOT_NORMAL].add.xyz;
         float deviation = stored.a * scale.x;
         variance = deviation * deviation;
         // Not orthogonalised and not normalised one by one: MikkTSpace bakes are undone exactly so.
@@ -105,7 +110,7 @@ ShadingNormal shading_normal() {
 /// What the surface leaves of the light that its normal map mirrors towards v (unit, to the eye).
 /// 1 without a map, also where an interpolated normal is turned away from the eye.
 float horizon_of(vec3 normal, vec3 surface_normal, vec3 v) {
-    if (material.slots[SLOT_NORMAL].uv_row_v.w < 0.5) return 1.0;
+    if (!has_texture(SLOT_NORMAL)) return 1.0;
     return horizon_share(dot(reflect(-v, normal), surface_normal));
 }
 

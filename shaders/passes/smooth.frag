@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fast anti-aliasing of a finished picture: where luminance shows an edge, a pixel is mixed with its
+// Fast anti-aliasing of a finished picture: where luma shows an edge, a pixel is mixed with its
 // neighbours along it. After Timothy Lottes, "FXAA", NVIDIA 2009, in its first and shortest form.
 
 #include "shared/color.glsl"
@@ -13,18 +13,18 @@ const float LEAST_CONTRAST = 0.0312;     // absolute: below it noise is left alo
 const float RELATIVE_CONTRAST = 0.125;   // of the brightest neighbour
 const float LONGEST_BLUR = 8.0;          // texels
 
-float brightness_at(vec2 uv) {
-    return dot(textureLod(picture, uv, 0.0).rgb, vec3(0.299, 0.587, 0.114));
+float luma_at(vec2 uv) {
+    return luma_bt601(textureLod(picture, uv, 0.0).rgb);
 }
 
 void main() {
     vec2 uv = gl_FragCoord.xy * texel_size;
     vec4 middle = textureLod(picture, uv, 0.0);
-    float m = dot(middle.rgb, vec3(0.299, 0.587, 0.114));
-    float nw = brightness_at(uv + vec2(-0.5, 0.5) * texel_size);
-    float ne = brightness_at(uv + vec2(0.5, 0.5) * texel_size);
-    float sw = brightness_at(uv + vec2(-0.5, -0.5) * texel_size);
-    float se = brightness_at(uv + vec2(0.5, -0.5) * texel_size);
+    float m = luma_bt601(middle.rgb);
+    float nw = luma_at(uv + vec2(-0.5, 0.5) * texel_size);
+    float ne = luma_at(uv + vec2(0.5, 0.5) * texel_size);
+    float sw = luma_at(uv + vec2(-0.5, -0.5) * texel_size);
+    float se = luma_at(uv + vec2(0.5, -0.5) * texel_size);
     float low = min(m, min(min(nw, ne), min(sw, se)));
     float high = max(m, max(max(nw, ne), max(sw, se)));
     if (high - low < max(LEAST_CONTRAST, high * RELATIVE_CONTRAST)) {
@@ -39,6 +39,6 @@ void main() {
                        textureLod(picture, uv + along / 6.0, 0.0));
     vec4 wide = 0.5 * near + 0.25 * (textureLod(picture, uv - along * 0.5, 0.0) +
                                      textureLod(picture, uv + along * 0.5, 0.0));
-    float wide_brightness = dot(wide.rgb, vec3(0.299, 0.587, 0.114));
-    color = wide_brightness < low || wide_brightness > high ? near : wide;
+    float wide_luma = luma_bt601(wide.rgb);
+    color = wide_luma < low || wide_luma > high ? near : wide;
 }

@@ -154,9 +154,8 @@ Highlight quad_highlight(Real2 a, Real2 b, Real2 c, Real2 d, Real alpha) {
 Highlight sphere_highlight(Real3 towards, Real sine2, Real3 v, Real3 n, Real alpha) {
     Real cosine = dot(towards, n);
     Real sine = sqrt(max(sine2, 1e-12f));
-    // The share of a disc above a line, as a smooth step.
-    Real raised = clamp(0.5f + 0.5f * cosine / sine, 0.0f, 1.0f);
-    Real seen = raised * raised * (3.0f - 2.0f * raised);
+    // The share of a disc above a line.
+    Real seen = smoothstep(0.0f, 1.0f, 0.5f + 0.5f * cosine / sine);
     Real height = 0.5f * (max(cosine - sine, 0.0f) + max(cosine + sine, 0.0f));
     Real3 middle = normalize(towards + n * (height - cosine));
     Real3 h = normalize(v + middle);

@@ -2,6 +2,8 @@
 #ifndef SHARED_BLEND_COLOR_GLSL
 #define SHARED_BLEND_COLOR_GLSL
 
+#include "shared/color.glsl"
+
 // Blend modes that look at all three components of a colour: B(backdrop, source). Two families,
 // which mean different things by the same words and so carry the family in their names.
 //
@@ -13,14 +15,6 @@
 /// The luminosity Lum(C) of W3C: weights 0.3, 0.59, 0.11 on the components as they are.
 Real luminosity_w3c(Real3 color) {
     return 0.3f * color.x + 0.59f * color.y + 0.11f * color.z;
-}
-
-/// The least and the greatest component.
-Real least_component(Real3 color) {
-    return min(min(color.x, color.y), color.z);
-}
-Real greatest_component(Real3 color) {
-    return max(max(color.x, color.y), color.z);
 }
 
 /// ClipColor(C) of W3C: towards the grey of the same luminosity until no component is outside 0..1.

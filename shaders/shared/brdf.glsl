@@ -2,6 +2,7 @@
 #ifndef SHARED_BRDF_GLSL
 #define SHARED_BRDF_GLSL
 
+#include "shared/color.glsl"
 #include "shared/transcendental.glsl"
 
 // How surfaces reflect light: the terms of Cook and Torrance's model ("A reflectance model for
@@ -276,7 +277,7 @@ Real3 brdf_specular(BrdfTerms terms, ReflectionAngles angles, Real3 f0, Real f90
 /// What of a reflectance in colour keeps light out of the diffuse part: its largest component, so
 /// that a tinted reflection does not let light of the other colours in (KHR_materials_specular).
 Real reflected_share(Real3 reflectance) {
-    return max(reflectance.x, max(reflectance.y, reflectance.z));
+    return greatest_component(reflectance);
 }
 
 /// The diffuse BRDF, (1 - F) x colour x term: what is not reflected enters. glTF 2.0 B.3.

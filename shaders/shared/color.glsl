@@ -2,8 +2,8 @@
 #ifndef SHARED_COLOR_GLSL
 #define SHARED_COLOR_GLSL
 
-// Transfer between linear light and sRGB-encoded values, and luminance. Primaries are those of
-// Rec. 709 / sRGB throughout Patina.
+// Transfer between linear light and sRGB-encoded values, and single numbers of a colour. Primaries
+// are those of Rec. 709 / sRGB throughout Patina.
 
 /// Linear light 0..1 of an sRGB-encoded value; what is outside is held to 0..1. IEC 61966-2-1.
 /// Error below 6e-7 of the encoded value that it stands for (a 16-bit step is 1.5e-5); exactly 0 at
@@ -53,6 +53,20 @@ Real3 srgb_from_linear(Real3 linear) {
 /// Luminance Y of linear colour, the second row of Rec. 709's RGB-to-XYZ matrix. White gives 1.
 Real luminance(Real3 linear) {
     return 0.2126f * linear.x + 0.7152f * linear.y + 0.0722f * linear.z;
+}
+
+/// Luma Y' of a colour as it is stored, sRGB-encoded: Recommendation ITU-R BT.601, 2.5.1. White
+/// gives 1.
+Real luma_bt601(Real3 encoded) {
+    return 0.299f * encoded.x + 0.587f * encoded.y + 0.114f * encoded.z;
+}
+
+/// The least and the greatest component.
+Real least_component(Real3 color) {
+    return min(min(color.x, color.y), color.z);
+}
+Real greatest_component(Real3 color) {
+    return max(max(color.x, color.y), color.z);
 }
 
 #endif

@@ -15,14 +15,20 @@ Real3 unit_normal(Real3 v) {
     return select(length_squared > 1e-20f, unit, Real3(0.0f, 0.0f, 1.0f));
 }
 
-/// The normal that a texel stores: 0..1 to -1..1 (glTF 2.0, 3.9.3), at unit length.
-Real3 normal_from_encoded(Real3 encoded) {
-    return unit_normal(encoded * 2.0f - 1.0f);
+/// What a texel that stores 0..1 stands for: -1..1 (glTF 2.0, 3.9.3). Of a normal, not of unit length.
+Real signed_from_encoded(Real encoded) {
+    return encoded * 2.0f - 1.0f;
+}
+Real3 signed_from_encoded(Real3 encoded) {
+    return encoded * 2.0f - 1.0f;
 }
 
-/// What a texel stores of a unit normal: -1..1 to 0..1.
-Real3 encoded_from_normal(Real3 normal) {
-    return normal * 0.5f + 0.5f;
+/// What a texel stores of -1..1: 0..1.
+Real encoded_from_signed(Real value) {
+    return value * 0.5f + 0.5f;
+}
+Real3 encoded_from_signed(Real3 value) {
+    return value * 0.5f + 0.5f;
 }
 
 /// Weight 1 keeps the normal, 0 gives flat, between them a lerp at unit length.

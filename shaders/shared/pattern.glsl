@@ -59,8 +59,7 @@ Real faded_pattern(Shown shown, Real value) {
 
 /// 0 outside an edge, 1 inside, from `distance` inside (negative outside), over `width`.
 Real soft_edge(Real distance, float width) {
-    Real t = clamp(distance / width + 0.5f, 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
+    return smoothstep(0.0f, 1.0f, distance / width + 0.5f);
 }
 
 /// The width of an edge: as soft as asked, and a texel at least.
@@ -136,8 +135,7 @@ Real rounded_block(Pattern pattern, Real x, Real y, float half_x, float half_y) 
     float gap = 0.1f * pattern.width;
     Real dx = max(abs(x) - (half_x - gap - bevel), 0.0f);
     Real dy = max(abs(y) - (half_y - gap - bevel), 0.0f);
-    Real t = clamp(1.0f - sqrt(dx * dx + dy * dy) / bevel, 0.0f, 1.0f);
-    return t * t * (3.0f - 2.0f * t);
+    return smoothstep(0.0f, 1.0f, 1.0f - sqrt(dx * dx + dy * dy) / bevel);
 }
 
 /// Bricks: every second row is moved by half a brick. 0 in the mortar; `width` is that of the gaps.
@@ -177,10 +175,10 @@ Real hexagons(Pattern pattern, Real2 position) {
     Real above = inside_hexagon(position.x, position.y, x_above, row_above);
     Real below = inside_hexagon(position.x, position.y, x_below, row_below);
     Real inside = max(above, below) - 0.1f * pattern.width;
-    Real t = clamp(inside / max(edge_width(pattern), 0.02f), 0.0f, 1.0f);
+    Real block = smoothstep(0.0f, 1.0f, inside / max(edge_width(pattern), 0.02f));
     Real row = select(above >= below, row_above, row_below);
     Real column = floor(select(above >= below, x_above, x_below));
-    return t * t * (3.0f - 2.0f * t) * cell_shade(pattern, column, row);
+    return block * cell_shade(pattern, column, row);
 }
 
 /// The height of a thread: `across` from its middle line, -0.5..0.5; `level` 0..1 where it goes over

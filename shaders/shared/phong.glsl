@@ -2,6 +2,7 @@
 #ifndef SHARED_PHONG_GLSL
 #define SHARED_PHONG_GLSL
 
+#include "shared/color.glsl"
 #include "shared/transcendental.glsl"
 
 // The traditional models, in the units of a fixed-function pipeline: light x (diffuse x (n.l) +
@@ -73,8 +74,7 @@ Real phong_exponent(Real roughness) {
 /// (e + 1) / 2 in units of irradiance / pi, or (E + 4) / 8 for Blinn's exponent E = 4 e.
 Real3 phong_specular_color(Real3 f0, Real roughness) {
     Real peak = (blinn_phong_exponent(roughness) + 4.0f) * 0.125f;
-    Real brightest = max(max(f0.x, f0.y), max(f0.z, 1e-4f));
-    return f0 * min(peak, 1.0f / brightest);
+    return f0 * min(peak, 1.0f / max(greatest_component(f0), 1e-4f));
 }
 
 /// Diffuse colour. A metal keeps 0.6 of its base colour, where physics leaves it nothing: with no

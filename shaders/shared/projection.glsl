@@ -2,6 +2,8 @@
 #ifndef SHARED_PROJECTION_GLSL
 #define SHARED_PROJECTION_GLSL
 
+#include "shared/color.glsl"
+
 // Textures projected on a model along its axes. Positions are in model space, where the model's
 // longest side is 0..1: x right, y up, z towards the viewer in front. A side is 1 for what faces
 // the positive end of the axis, -1 for what faces the other: seen from either, a picture is upright
@@ -13,11 +15,9 @@
 /// How much of the picture along x, y and z a surface shows that faces `normal`, a unit vector;
 /// their sum is 1. blend: 0 shows the one that it faces most, 1 goes over evenly.
 Real3 projection_weights(Real3 normal, float blend) {
-    Real x = abs(normal.x);
-    Real y = abs(normal.y);
-    Real z = abs(normal.z);
-    Real least = max(x, max(y, z)) * (1.0f - max(blend, 0.001f));
-    Real3 above = Real3(max(x - least, 0.0f), max(y - least, 0.0f), max(z - least, 0.0f));
+    Real3 facing = abs(normal);
+    Real least = greatest_component(facing) * (1.0f - max(blend, 0.001f));
+    Real3 above = max(facing - Real3(least), 0.0f);
     return above * (1.0f / (above.x + above.y + above.z));
 }
 

@@ -2,6 +2,7 @@
 #ifndef SHARED_TONE_MAP_GLSL
 #define SHARED_TONE_MAP_GLSL
 
+#include "shared/color.glsl"
 #include "shared/transcendental.glsl"
 
 // From scene to display: exposed linear Rec. 709 radiance, 0 and up, to linear light 0..1 of an
@@ -77,10 +78,10 @@ Real3 tone_map_agx(Real3 color) {
 /// specification", 2024.
 Real3 tone_map_pbr_neutral(Real3 color) {
     Real3 x = max(color, 0.0f);
-    Real darkest = min(x.x, min(x.y, x.z));
+    Real darkest = least_component(x);
     Real offset = select(darkest < 0.08f, darkest - 6.25f * darkest * darkest, 0.04f);
     Real3 base = x - Real3(offset);
-    Real peak = max(base.x, max(base.y, base.z));
+    Real peak = greatest_component(base);
     const float start = 0.76f;  // 0.8 - F90's share
     const float room = 1.0f - start;
     Real new_peak = 1.0f - room * room / max(peak + (room - start), 1e-3f);

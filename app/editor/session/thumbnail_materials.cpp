@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/formulae/formulae.h"
 #include "document/stack_tree.h"
 
 namespace patina::editor {
@@ -31,7 +32,10 @@ Source as_color(const Source& source, Channel channel) {
     const auto shown = [kind](const glm::vec3& value) {
         if (kind == ChannelKind::Color) return value;
         if (kind == ChannelKind::Scalar) return glm::vec3(value.x);
-        return kind == ChannelKind::Normal ? value * 0.5f + 0.5f : glm::vec3(value.x * 0.5f + 0.5f);
+        const float x = formulae::encoded_from_signed(value.x);
+        if (kind == ChannelKind::Height) return glm::vec3(x);
+        return glm::vec3(x, formulae::encoded_from_signed(value.y),
+                         formulae::encoded_from_signed(value.z));
     };
     Source result = source;
     if (auto* constant = std::get_if<ConstantSource>(&result))

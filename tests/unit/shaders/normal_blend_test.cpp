@@ -82,7 +82,7 @@ RC_GTEST_PROP(NormalBlend, FadingGoesFromFlatToTheNormal, ()) {
 
 RC_GTEST_PROP(NormalBlend, EncodingANormalAndDecodingItReturnsIt, ()) {
     const Real3 normal = *normals();
-    RC_ASSERT(near(formulae::normal_from_encoded(formulae::encoded_from_normal(normal)), normal));
+    RC_ASSERT(near(formulae::signed_from_encoded(formulae::encoded_from_signed(normal)), normal));
 }
 
 TEST(NormalBlend, AVectorWithoutLengthIsFlat) {

@@ -119,8 +119,8 @@ Real4 probe_surface(int which, Real4 a, Real4 b) {
         return Real4(normal_blend_whiteout(probe_normal(a), probe_normal(b)),
                      height_slope(a.x, a.y, a.z, b.x, b.y, b.z));
     if (which == 4)
-        return Real4(normal_over(normal_from_encoded(Real3(a.x, a.y, 0.9f)), probe_normal(b), b.w),
-                     encoded_from_normal(height_normal(a.z, b.z)).x);
+        return Real4(normal_over(unit_normal(signed_from_encoded(Real3(a.x, a.y, 0.9f))), probe_normal(b), b.w),
+                     encoded_from_signed(height_normal(a.z, b.z)).x);
     if (which == 5)
         return Real4(levels(a.x, 0.25f, 0.75f, 1.0f, 0.0f, 1.0f),
                      levels(a.y, 0.1f, 0.8f, 2.2f, 1.0f, 0.2f), contrasted(a.z, 0.5f, 0.25f),
@@ -357,7 +357,8 @@ Real4 probe_from_middle(Real4 a, Real4 b) {
     Real2 pixel = floor(Real2(a.x * 7.0f, b.x * 7.0f));
     return Real4(interleaved_gradient_noise(pixel), sphere_from_middle(0.1f + a.y, b.y),
                  rectangle_from_middle(0.1f + a.z, b.z, 2.0f * a.w - 1.0f),
-                 dielectric_part_f0(Real3(b.w), Real3(0.2f), 0.9f * a.x).x);
+                 dielectric_part_f0(Real3(b.w), Real3(0.2f), 0.9f * a.x).x +
+                     luma_bt601(Real3(a.x, a.y, a.z)));
 }
 
 /// Probe number `which` of inputs a and b, each component 0..1; -1 past the last one.

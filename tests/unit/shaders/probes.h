@@ -35,7 +35,7 @@ inline constexpr Probe kProbes[] = {
     {"normal_blend_rnm; height_add", 2e-6f},
     {"normal_blend_udn, normal_faded; height_max", 2e-6f},
     {"normal_blend_whiteout; height_slope", 2e-6f},
-    {"normal_over, normal_from_encoded; height_normal", 2e-6f},
+    {"normal_over, signed_from_encoded, encoded_from_signed; height_normal", 2e-6f},
     {"levels, contrasted, inverted", 4e-6f},
     {"mask: add, subtract, lighten, multiply, darken, replace", 1e-6f},
     {"ramp_color, ramp_scalar", 2e-6f},
