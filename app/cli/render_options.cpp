@@ -2,9 +2,9 @@
 #include "cli/render_options.h"
 
 #include <array>
-#include <charconv>
 
-#include "core/formulae/formulae.h"
+#include "core/hex_color.h"
+#include "core/stored_values.h"
 #include "render/environment.h"
 
 namespace patina::cli {
@@ -89,20 +89,6 @@ void add_term_options(CLI::App& command, RenderOptions& options) {
         "Give back the energy that single scattering loses");
 }
 
-/// Two hexadecimal digits at each of three places after '#'.
-std::optional<glm::vec3> html_color(std::string_view text) {
-    if (text.size() != 7 || text[0] != '#') return std::nullopt;
-    glm::vec3 color(0.0f);
-    for (int i = 0; i < 3; ++i) {
-        unsigned byte = 0;
-        const char* first = text.data() + 1 + 2 * static_cast<std::size_t>(i);
-        const auto [end, error] = std::from_chars(first, first + 2, byte, 16);
-        if (error != std::errc() || end != first + 2) return std::nullopt;
-        color[i] = static_cast<float>(byte) / 255.0f;
-    }
-    return color;
-}
-
 /// What the traditional models would take from the material; both sides, where both are such.
 void add_phong_options(CLI::App& command, RenderOptions& options) {
     render::View& view = options.request.view;
@@ -123,13 +109,13 @@ void add_phong_options(CLI::App& command, RenderOptions& options) {
                                std::optional<glm::vec3> render::PhongSettings::*color,
                                const std::string& help) {
         const auto choose = [set, flag, color](const std::string& text) {
-            const auto srgb = html_color(text);
-            if (!srgb)
+            const auto rgb = rgb_from_html(text);
+            if (!rgb)
                 throw CLI::ValidationError(flag,
                                            fmt::format("'{}' is no colour such as #ff8000", text));
-            const auto linear = formulae::linear_from_srgb({srgb->x, srgb->y, srgb->z});
+            const auto& linear = linear_of_bytes();
             set([&](render::PhongSettings& phong) {
-                phong.*color = glm::vec3(linear.x, linear.y, linear.z);
+                phong.*color = {linear[(*rgb)[0]], linear[(*rgb)[1]], linear[(*rgb)[2]]};
             });
         };
         command.add_option_function<std::string>(flag, choose, help)->type_name("#rrggbb");
@@ -306,8 +292,10 @@ void add_light_options(CLI::App& command, RenderOptions& options) {
 
 void add_background_option(CLI::App& command, RenderOptions& options) {
     const auto choose = [&options](const std::string& text) {
-        if (const auto color = html_color(text)) {
-            options.background = {.kind = render::Background::Kind::Color, .color_srgb = *color};
+        if (const auto rgb = rgb_from_html(text)) {
+            options.background = {.kind = render::Background::Kind::Color,
+                                  .color_srgb = {unit_value((*rgb)[0]), unit_value((*rgb)[1]),
+                                                 unit_value((*rgb)[2])}};
             return;
         }
         const auto* choice = render::choice_from_id(render::kBackgrounds, text);

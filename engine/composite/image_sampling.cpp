@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include "composite/decoded_bytes.h"
-#include "composite/sample_values.h"
 #include "core/formulae/formulae.h"
+#include "scene/sample_values.h"
 
 namespace patina {
 namespace {
@@ -53,14 +52,7 @@ Taps taps_at(float coordinate, int side, Wrap wrap, Filter filter) {
 }
 
 float tap(const SamplingTask& task, int x, int y, int channel) {
-    if (task.decode && !task.invert && task.image->type == SampleType::U8) {
-        const std::size_t texel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(task.image->width) +
-            static_cast<std::size_t>(x);
-        const std::size_t at = texel * static_cast<std::size_t>(task.image->channels) +
-                               static_cast<std::size_t>(channel);
-        return decoded_bytes().values[static_cast<std::size_t>(task.image->data[at])];
-    }
+    if (task.decode && !task.invert) return linear_value(*task.image, x, y, channel);
     float value = stored_value(*task.image, x, y, channel);
     if (task.invert) value = 1.0f - value;
     return task.decode ? formulae::linear_from_srgb(value) : value;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "composite/reduced_images.h"
 
-#include "composite/sample_values.h"
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
+#include "scene/sample_values.h"
 
 namespace patina {
 namespace {
@@ -38,9 +38,11 @@ float mean_value(const Image& image, const Share& across, const Share& down, int
     float sum = 0.0f;
     for (int j = 0; j < down.count; ++j)
         for (int i = 0; i < across.count; ++i) {
-            const float value = stored_value(image, across.first + i, down.first + j, channel);
-            sum += across.weights[i] * down.weights[j] *
-                   (encoded ? formulae::linear_from_srgb(value) : value);
+            const int x = across.first + i;
+            const int y = down.first + j;
+            sum +=
+                across.weights[i] * down.weights[j] *
+                (encoded ? linear_value(image, x, y, channel) : stored_value(image, x, y, channel));
         }
     return encoded ? formulae::srgb_from_linear(sum) : sum;
 }

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/formulae/formulae.h"
+#include "core/hex_color.h"
+#include "core/stored_values.h"
 #include "document/change.h"
 #include "document/edits.h"
 #include "document/layer_json.h"
@@ -20,14 +21,10 @@ bool among(std::initializer_list<std::string_view> keys, std::string_view key) {
 
 /// "#8a3b12" as linear light.
 std::optional<Json> color_from_hex(std::string_view text) {
-    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    const auto rgb = rgb_from_html(text);
+    if (!rgb) return std::nullopt;
     Json color = Json::array();
-    for (std::size_t i = 1; i < 7; i += 2) {
-        unsigned byte = 0;
-        const auto [end, error] = std::from_chars(text.data() + i, text.data() + i + 2, byte, 16);
-        if (error != std::errc() || end != text.data() + i + 2) return std::nullopt;
-        color.push_back(json_of(formulae::linear_from_srgb(static_cast<float>(byte) / 255.0f)));
-    }
+    for (const std::uint8_t byte : *rgb) color.push_back(json_of(linear_of_bytes()[byte]));
     return color;
 }
 

@@ -2,7 +2,7 @@
 #include "io/baked_files.h"
 
 #include "composite/dilate.h"
-#include "core/formulae/formulae.h"
+#include "core/stored_values.h"
 #include "io/last_channel.h"
 
 namespace patina::io {
@@ -19,8 +19,7 @@ ImagePtr without_opaque_alpha(const ImagePtr& map) {
 std::array<double, 256> byte_values(bool srgb) {
     std::array<double, 256> values = {};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const float encoded = static_cast<float>(i) / 255.0f;
-        values[i] = srgb ? formulae::linear_from_srgb(encoded) : encoded;
+        values[i] = srgb ? linear_of_bytes()[i] : unit_value(static_cast<std::uint8_t>(i));
     }
     return values;
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <span>
 
+#include "core/formulae/formulae.h"
 #include "io/image_codecs.h"
 #include "io/png_writer.h"
 
@@ -50,12 +51,11 @@ Result<Bytes> encode_image(const Image& image, ImageFormat format, const ImageEn
 }
 
 Result<Bytes> encode_half_exr(const Image& image) {
-    constexpr float kLargestHalf = 65504.0f;
     if (image.type != SampleType::F32) return encode_image(image, ImageFormat::Exr);
     Image held = image;
     auto* const numbers = reinterpret_cast<float*>(held.data.data());
     for (std::size_t i = 0; i < held.data.size() / sizeof(float); ++i)
-        numbers[i] = std::clamp(numbers[i], -kLargestHalf, kLargestHalf);
+        numbers[i] = std::clamp(numbers[i], -formulae::LARGEST_HALF, formulae::LARGEST_HALF);
     return encode_by_codecs(held, {.format = ImageFormat::Exr, .half = true});
 }
 

@@ -8,6 +8,7 @@
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
 #include "io/png_writer.h"
+#include "scene/sample_values.h"
 
 namespace patina::io {
 namespace {
@@ -17,8 +18,8 @@ constexpr const char* kTransform = "KHR_texture_transform";
 constexpr float kDielectricSpecular = 0.04f;
 constexpr float kEpsilon = 1e-6f;
 
-/// As the converter beside the extension's specification has it: HSP's brightness (Darel Rex Finley,
-/// "HSP color model", 2006).
+/// As the converter beside the extension's specification has it: HSP's brightness (Darel Rex
+/// Finley, "HSP color model", 2006).
 float perceived_brightness(const glm::vec3& color) {
     const glm::vec3 square = color * color;
     return std::sqrt(formulae::luma_bt601({square.r, square.g, square.b}));
@@ -42,9 +43,6 @@ class TexelReader {
         if (!image) return;
         step_x_ = static_cast<float>(image->width) / static_cast<float>(width);
         step_y_ = static_cast<float>(image->height) / static_cast<float>(height);
-        if (image->type == SampleType::U8)
-            for (std::size_t i = 0; i < 256; ++i)
-                linear_[i] = formulae::linear_from_srgb(static_cast<float>(i) / 255.0f);
     }
 
     /// rgb in linear light, from sRGB; alpha as it is.
@@ -64,42 +62,20 @@ class TexelReader {
 
   private:
     glm::vec4 texel(int x, int y) const {
-        const auto column = static_cast<std::size_t>(std::clamp(x, 0, image_->width - 1));
-        const auto row = static_cast<std::size_t>(std::clamp(y, 0, image_->height - 1));
-        const auto channels = static_cast<std::size_t>(image_->channels);
-        const std::size_t first =
-            (row * static_cast<std::size_t>(image_->width) + column) * channels;
-        const bool grey = channels < 3;
+        const int column = std::clamp(x, 0, image_->width - 1);
+        const int row = std::clamp(y, 0, image_->height - 1);
+        const int channels = image_->channels;
         glm::vec4 value(1.0f);
-        for (std::size_t c = 0; c < 3; ++c)
-            value[static_cast<int>(c)] = color_sample(first + (grey ? 0 : c));
-        if (channels == 2 || channels == 4) value.a = sample(first + channels - 1);
+        for (int c = 0; c < 3; ++c)
+            value[c] = linear_value(*image_, column, row, channels < 3 ? 0 : c);
+        if (channels == 2 || channels == 4)
+            value.a = std::clamp(stored_value(*image_, column, row, channels - 1), 0.0f, 1.0f);
         return value;
-    }
-    float color_sample(std::size_t index) const {
-        if (image_->type == SampleType::U8)
-            return linear_[static_cast<std::size_t>(image_->data[index])];
-        return formulae::linear_from_srgb(sample(index));
-    }
-    float sample(std::size_t index) const {
-        switch (image_->type) {
-            case SampleType::U8:
-                return static_cast<float>(image_->data[index]) / 255.0f;
-            case SampleType::U16:
-                return static_cast<float>(
-                           reinterpret_cast<const std::uint16_t*>(image_->data.data())[index]) /
-                       65535.0f;
-            case SampleType::F32:
-                return std::clamp(reinterpret_cast<const float*>(image_->data.data())[index], 0.0f,
-                                  1.0f);
-        }
-        return 1.0f;
     }
 
     const Image* image_;
     float step_x_ = 1.0f;
     float step_y_ = 1.0f;
-    std::array<float, 256> linear_ = {};
 };
 
 std::byte byte_of(float value) {

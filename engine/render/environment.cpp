@@ -42,7 +42,7 @@ int face_size_for(int map_width, int largest_face) {
 }
 
 void pack(const glm::vec3& radiance, std::uint16_t* out) {
-    const glm::vec3 finite = glm::min(radiance, kLargestHalf);
+    const glm::vec3 finite = glm::min(radiance, formulae::LARGEST_HALF);
     out[0] = glm::packHalf1x16(finite.x);
     out[1] = glm::packHalf1x16(finite.y);
     out[2] = glm::packHalf1x16(finite.z);
@@ -79,7 +79,8 @@ void spread_peaks(CubeLevel& level) {
             for (int y = 0; y < level.side; ++y)
                 for (int x = 0; x < level.side; ++x) {
                     glm::vec4& texel = level.texels[level.index(face, x, y)];
-                    const glm::vec4 excess = glm::max(texel - kLargestHalf, glm::vec4(0.0f));
+                    const glm::vec4 excess =
+                        glm::max(texel - formulae::LARGEST_HALF, glm::vec4(0.0f));
                     if (excess == glm::vec4(0.0f)) continue;
                     found = true;
                     texel -= excess;

@@ -48,7 +48,7 @@ float tent(float u) {
 float scale_of(const RadianceMap& map) {
     float most = 0.0f;
     for (const glm::vec3& texel : map.texels) most = std::max({most, texel.x, texel.y, texel.z});
-    return most > kLargestHalf ? kLargestHalf / most : 1.0f;
+    return most > formulae::LARGEST_HALF ? formulae::LARGEST_HALF / most : 1.0f;
 }
 
 std::vector<std::uint16_t> packed(const RadianceMap& map, float scale) {

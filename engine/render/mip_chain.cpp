@@ -10,6 +10,8 @@
 
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
+#include "core/stored_values.h"
+#include "scene/sample_values.h"
 
 namespace patina::render {
 namespace {
@@ -20,33 +22,17 @@ constexpr int kChannels = 4;
 /// Steps of the table that encodes linear light: a step is 0.8 of a byte where sRGB is steepest.
 constexpr int kEncodeSteps = 4096;
 
-struct SrgbTables {
-    std::array<float, 256> linear_of_byte;
-    std::array<std::uint8_t, kEncodeSteps + 1> byte_of_linear;
-};
+using BytesOfLinear = std::array<std::uint8_t, kEncodeSteps + 1>;
 
-const SrgbTables& srgb_tables() {
-    static const SrgbTables tables = [] {
-        SrgbTables made;
-        for (std::size_t i = 0; i < made.linear_of_byte.size(); ++i)
-            made.linear_of_byte[i] = formulae::linear_from_srgb(static_cast<float>(i) / 255.0f);
-        for (std::size_t i = 0; i < made.byte_of_linear.size(); ++i)
-            made.byte_of_linear[i] = static_cast<std::uint8_t>(
+const BytesOfLinear& bytes_of_linear() {
+    static const BytesOfLinear table = [] {
+        BytesOfLinear made;
+        for (std::size_t i = 0; i < made.size(); ++i)
+            made[i] = static_cast<std::uint8_t>(
                 formulae::srgb_from_linear(static_cast<float>(i) / kEncodeSteps) * 255.0f + 0.5f);
         return made;
     }();
-    return tables;
-}
-
-float stored_sample(const Image& image, std::size_t index) {
-    if (image.type == SampleType::U16) {
-        std::uint16_t value;
-        std::memcpy(&value, image.data.data() + index * sizeof value, sizeof value);
-        return static_cast<float>(value) / 65535.0f;
-    }
-    float value;
-    std::memcpy(&value, image.data.data() + index * sizeof value, sizeof value);
-    return value;
+    return table;
 }
 
 /// Which stored channel feeds red, green, blue and alpha; -1 is 1.
@@ -87,19 +73,14 @@ void copy_byte_row(const Image& image, MipLevel& level, int y, int x0, int x1) {
 void copy_float_row(const Image& image, bool srgb, MipLevel& level, int y, int x0, int x1) {
     float* out = level.floats.data() + texel_index(level, x0, y);
     const std::array<int, kChannels> sources = channel_sources(image.channels);
-    for (int x = x0; x < x1; ++x) {
-        const std::size_t texel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-            static_cast<std::size_t>(x);
+    for (int x = x0; x < x1; ++x)
         for (int c = 0; c < kChannels; ++c) {
             const int source = sources[static_cast<std::size_t>(c)];
-            const float value =
-                source < 0 ? 1.0f
-                           : stored_sample(image, texel * static_cast<std::size_t>(image.channels) +
-                                                      static_cast<std::size_t>(source));
-            *out++ = srgb && c < 3 ? formulae::linear_from_srgb(value) : value;
+            const bool encoded = srgb && c < 3;
+            *out++ = source < 0 ? 1.0f
+                     : encoded  ? linear_value(image, x, y, source)
+                                : stored_value(image, x, y, source);
         }
-    }
 }
 
 /// Alpha of a texel: a deviation of normals, 0 to 1.
@@ -141,16 +122,17 @@ Span fine_span(int coarse, int coarse_side, int fine_side) {
 void average_bytes(const MipLevel& fine, const Span& xs, const Span& ys, bool srgb,
                    std::uint8_t* out) {
     const int count = (xs.last - xs.first) * (ys.last - ys.first);
-    const SrgbTables& tables = srgb_tables();
+    const std::array<float, 256>& linear = linear_of_bytes();
+    const BytesOfLinear& encoded = bytes_of_linear();
     for (int c = 0; c < kChannels; ++c) {
         if (srgb && c < 3) {
             float sum = 0.0f;
             for (int y = ys.first; y < ys.last; ++y)
                 for (int x = xs.first; x < xs.last; ++x)
-                    sum += tables.linear_of_byte[fine.bytes[texel_index(fine, x, y) +
-                                                            static_cast<std::size_t>(c)]];
+                    sum +=
+                        linear[fine.bytes[texel_index(fine, x, y) + static_cast<std::size_t>(c)]];
             const float mean = sum / static_cast<float>(count);
-            out[c] = tables.byte_of_linear[static_cast<std::size_t>(mean * kEncodeSteps + 0.5f)];
+            out[c] = encoded[static_cast<std::size_t>(mean * kEncodeSteps + 0.5f)];
         } else {
             int sum = 0;
             for (int y = ys.first; y < ys.last; ++y)
@@ -176,7 +158,7 @@ glm::vec4 values_at(TexelStorage storage, const MipLevel& level, std::size_t tex
     glm::vec4 values;
     for (std::size_t c = 0; c < kChannels; ++c)
         values[static_cast<int>(c)] = storage == TexelStorage::Rgba8
-                                          ? static_cast<float>(level.bytes[texel + c]) / 255.0f
+                                          ? unit_value(level.bytes[texel + c])
                                           : level.floats[texel + c];
     return values;
 }

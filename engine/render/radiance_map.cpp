@@ -3,44 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/constants.hpp>
 
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
+#include "scene/sample_values.h"
 
 namespace patina::render {
 namespace {
 
 constexpr std::int64_t kRowsPerTask = 16;
 
-template <typename T>
-T sample_at(const Image& image, std::size_t index) {
-    T value;
-    std::memcpy(&value, image.data.data() + index * sizeof(T), sizeof(T));
-    return value;
-}
-
-float linear_sample(const Image& image, std::size_t index) {
-    switch (image.type) {
-        case SampleType::U8:
-            return formulae::linear_from_srgb(
-                static_cast<float>(sample_at<std::uint8_t>(image, index)) / 255.0f);
-        case SampleType::U16:
-            return formulae::linear_from_srgb(
-                static_cast<float>(sample_at<std::uint16_t>(image, index)) / 65535.0f);
-        case SampleType::F32:
-            break;
-    }
-    const float value = sample_at<float>(image, index);
+float linear_sample(const Image& image, int x, int y, int channel) {
+    if (image.type != SampleType::F32) return linear_value(image, x, y, channel);
+    const float value = stored_value(image, x, y, channel);
     return std::isfinite(value) && value > 0.0f ? value : 0.0f;
 }
 
-glm::vec3 linear_texel(const Image& image, std::size_t texel) {
-    const std::size_t first = texel * static_cast<std::size_t>(image.channels);
-    if (image.channels < 3) return glm::vec3(linear_sample(image, first));
-    return {linear_sample(image, first), linear_sample(image, first + 1),
-            linear_sample(image, first + 2)};
+glm::vec3 linear_texel(const Image& image, int x, int y) {
+    if (image.channels < 3) return glm::vec3(linear_sample(image, x, y, 0));
+    return {linear_sample(image, x, y, 0), linear_sample(image, x, y, 1),
+            linear_sample(image, x, y, 2)};
 }
 
 }  // namespace
@@ -52,9 +35,9 @@ Result<RadianceMap> radiance_map(const Image& equirect) {
         return failure("environment map has no pixels: give an equirectangular .hdr or .exr");
     RadianceMap map{equirect.width, equirect.height, std::vector<glm::vec3>(count)};
     parallel_for(0, equirect.height, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
-        const auto width = static_cast<std::size_t>(equirect.width);
-        for (std::size_t i = std::size_t(first) * width; i < std::size_t(last) * width; ++i)
-            map.texels[i] = linear_texel(equirect, i);
+        glm::vec3* texel = map.texels.data() + std::size_t(first) * std::size_t(equirect.width);
+        for (int y = int(first); y < int(last); ++y)
+            for (int x = 0; x < equirect.width; ++x) *texel++ = linear_texel(equirect, x, y);
     });
     return map;
 }

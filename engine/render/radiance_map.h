@@ -47,7 +47,4 @@ float texel_solid_angle_at_horizon(int width, int height);
 /// Of linear Rec. 709; formulae::luminance of a vector.
 float luminance_of(const glm::vec3& linear);
 
-/// The brightest that a half float holds.
-inline constexpr float kLargestHalf = 65504.0f;
-
 }  // namespace patina::render

@@ -4,6 +4,7 @@
 
 #include "passes/material.glsl"
 #include "passes/stored_normal.glsl"
+#include "shared/color.glsl"
 
 layout(location = 0) out vec4 albedo;              // base colour, metalness
 layout(location = 1) out vec4 normal_roughness;    // world, as long as stored_length() says; roughness
@@ -14,8 +15,6 @@ layout(location = 4) out vec4 surface;  // F90 weight, -, alpha, 1 when unlit
 #endif
 
 uniform vec4 eye_world;  // w 1: where the eye is; w 0: the way to it, unit
-
-const float LARGEST_HALF = 65504.0;
 
 void main() {
     Material m = sampled_material();

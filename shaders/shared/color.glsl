@@ -5,6 +5,10 @@
 // Transfer between linear light and sRGB-encoded values, and single numbers of a colour. Primaries
 // are those of Rec. 709 / sRGB throughout Patina.
 
+/// The greatest number that a half float holds (IEEE 754, binary16): what is stored in such is held
+/// to it.
+const float LARGEST_HALF = 65504.0f;
+
 /// Linear light 0..1 of an sRGB-encoded value; what is outside is held to 0..1. IEC 61966-2-1.
 /// Error below 6e-7 of the encoded value that it stands for (a 16-bit step is 1.5e-5); exactly 0 at
 /// 0 and 1 at 1; decoding and encoding each of the 256 bytes returns it.

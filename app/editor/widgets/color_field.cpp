@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "core/formulae/formulae.h"
+#include "core/hex_color.h"
+#include "core/stored_values.h"
 #include "editor/widgets/slider.h"
 #include "editor/widgets/text_field.h"
 
@@ -195,23 +197,10 @@ std::string hex_color(const glm::vec3& color_linear) {
 std::optional<glm::vec3> color_from_hex(std::string_view words) {
     while (!words.empty() && (words.front() == '#' || words.front() == ' ')) words.remove_prefix(1);
     while (!words.empty() && words.back() == ' ') words.remove_suffix(1);
-    if (words.size() != 3 && words.size() != 6) return std::nullopt;
-    const std::size_t digits = words.size() / 3;
-    glm::vec3 srgb(0.0f);
-    for (std::size_t i = 0; i < 3; ++i) {
-        int byte = 0;
-        for (std::size_t d = 0; d < digits; ++d) {
-            constexpr std::string_view kDigits = "0123456789abcdef";
-            const auto lower =
-                static_cast<char>(std::tolower(static_cast<unsigned char>(words[i * digits + d])));
-            const std::size_t digit = kDigits.find(lower);
-            if (digit == std::string_view::npos) return std::nullopt;
-            byte = byte * 16 + static_cast<int>(digit);
-        }
-        if (digits == 1) byte *= 17;
-        srgb[static_cast<int>(i)] = static_cast<float>(byte) / 255.0f;
-    }
-    return linear_from_srgb(srgb);
+    const auto rgb = rgb_from_hex(words);
+    if (!rgb) return std::nullopt;
+    const auto& linear = linear_of_bytes();
+    return glm::vec3(linear[(*rgb)[0]], linear[(*rgb)[1]], linear[(*rgb)[2]]);
 }
 
 std::optional<glm::vec3> color_popup(Ui& ui, const Rect& anchor, const glm::vec3& color_linear) {

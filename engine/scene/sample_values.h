@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/stored_values.h"
 #include "scene/image.h"
 
 namespace patina {
@@ -19,11 +20,11 @@ inline float stored_value(const Image& image, int x, int y, int channel) {
         image.data.data() + image.row_bytes() * static_cast<std::size_t>(y);
     switch (image.type) {
         case SampleType::U8:
-            return static_cast<float>(static_cast<std::uint8_t>(row[index])) * (1.0f / 255.0f);
+            return unit_value(static_cast<std::uint8_t>(row[index]));
         case SampleType::U16: {
             std::uint16_t value = 0;
             std::memcpy(&value, row + 2 * index, sizeof value);
-            return static_cast<float>(value) * (1.0f / 65535.0f);
+            return unit_value(value);
         }
         case SampleType::F32: {
             float value = 0.0f;
@@ -33,6 +34,9 @@ inline float stored_value(const Image& image, int x, int y, int channel) {
     }
     return 0.0f;
 }
+
+/// The linear light, 0..1, of a component that is sRGB-encoded.
+float linear_value(const Image& image, int x, int y, int channel);
 
 /// Integers are rounded to the nearest that is stored.
 inline void store_value(Image& image, int x, int y, int channel, float value) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "core/stored_values.h"
+
+#include "core/formulae/formulae.h"
+
+namespace patina {
+
+const std::array<float, 256>& linear_of_bytes() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> made = {};
+        for (std::size_t byte = 0; byte < made.size(); ++byte)
+            made[byte] = formulae::linear_from_srgb(unit_value(static_cast<std::uint8_t>(byte)));
+        return made;
+    }();
+    return table;
+}
+
+}  // namespace patina
