@@ -22,11 +22,6 @@ constexpr int kRowsPerTask = 8;
 /// Of a strip: some tasks for each thread.
 constexpr int kLeastStripRows = 128;
 
-int wrapped(int index, int size) {
-    const int rest = index % size;
-    return rest < 0 ? rest + size : rest;
-}
-
 /// Columns from `begin` on, past the border where there are as many.
 struct Range {
     int begin = 0;

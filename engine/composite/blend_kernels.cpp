@@ -103,8 +103,7 @@ HWY_NOINLINE HWY_FLATTEN void blend_directions(const BlendTask& task) {
         Real3 result = Mode::laid(backdrop, source, weight);
         if (kCovered) {
             const Real coverage = load(task.target_coverage + i);
-            result =
-                formulae::unit_normal(result * coverage + source * (weight * (1.0f - coverage)));
+            result = formulae::normal_in_group(result, coverage, source, weight);
             store(formulae::over_coverage(coverage, weight), task.target_coverage + i);
         }
         store(select(weight > 0.0f, result, backdrop), task.target, i);

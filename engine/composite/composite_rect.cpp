@@ -17,10 +17,6 @@ constexpr int kRowsPerTask = 16;
 /// Maps from this side on do not stay in the caches until someone reads them.
 constexpr int kLargeMapSide = 2048;
 
-int wrapped(int index, int size) {
-    return (index + size) % size;
-}
-
 /// Composites rows of a rectangle, one after the other.
 class RowCompositor {
   public:

@@ -27,10 +27,7 @@ HWY_INLINE Real joined_lanes(const MaskTask& task, const Source& from, std::size
     Real value;
     from.load(i, &value);
     value = Combine::joined(task.mask + i, entry_of(task, value), task.opacity);
-    if (task.last) {
-        value = clamp(value, 0.0f, 1.0f);
-        if (task.invert_mask) value = formulae::inverted(value);
-    }
+    if (task.last) value = formulae::finished_mask(value, task.invert_mask);
     store(value, task.mask + i);
     return value;
 }

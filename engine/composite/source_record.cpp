@@ -2,41 +2,18 @@
 #include "composite/source_record.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "composite/procedural.h"
 #include "composite/uniform_values.h"
+#include "document/uv_rows.h"
 
 namespace patina {
 namespace {
 
-struct SineCosine {
-    double sine;
-    double cosine;
-};
-
-/// Exact at the quarter turns. Elsewhere libm's last digit in double is far below the float that
-/// is kept, so that every machine resolves the same matrix.
-SineCosine sine_cosine(double degrees) {
-    const double turn = std::remainder(degrees, 360.0);
-    if (turn == 0.0) return {0.0, 1.0};
-    if (turn == 90.0) return {1.0, 0.0};
-    if (turn == -90.0) return {-1.0, 0.0};
-    if (std::abs(turn) == 180.0) return {0.0, -1.0};
-    const double radians = turn * std::numbers::pi / 180.0;
-    return {std::sin(radians), std::cos(radians)};
-}
-
-/// KHR_texture_transform: offset + rotation * scale * uv, with the signs of its specification.
 void set_transform(const UvTransform& transform, SourceRecord& record) {
-    const SineCosine turn = sine_cosine(static_cast<double>(transform.rotation_degrees));
-    const auto row = [](double u, double v, double one) { return glm::vec3(u, v, one); };
-    const double scale_u = static_cast<double>(transform.scale.x);
-    const double scale_v = static_cast<double>(transform.scale.y);
-    record.to_u =
-        row(turn.cosine * scale_u, turn.sine * scale_v, static_cast<double>(transform.offset.x));
-    record.to_v =
-        row(-turn.sine * scale_u, turn.cosine * scale_v, static_cast<double>(transform.offset.y));
+    const UvRows rows = uv_rows(transform);
+    record.to_u = rows.u;
+    record.to_v = rows.v;
 }
 
 glm::vec3 constant_value(const glm::vec3& value, Reading reading) {

@@ -5,6 +5,7 @@
 
 #include "composite/surface_sources.h"
 #include "composite/uniform_values.h"
+#include "core/formulae/formulae.h"
 
 namespace patina {
 namespace {
@@ -57,7 +58,7 @@ std::optional<float> reduce_mask(const Mask& mask, const UvSurface* surface, Mas
         }
     }
     if (term.varies()) return std::nullopt;
-    return finished_mask_value(term.begin, mask.invert);
+    return formulae::finished_mask(term.begin, mask.invert);
 }
 
 void add_contributions(const Layer& layer, float weight, const UvSurface* surface,

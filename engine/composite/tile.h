@@ -22,6 +22,12 @@ struct TileSpan {
     bool operator==(const TileSpan&) const = default;
 };
 
+/// A column or row, beyond the border too, of a map that repeats.
+inline int wrapped(int index, int size) {
+    const int rest = index % size;
+    return rest < 0 ? rest + size : rest;
+}
+
 /// What lies of the model at the texels of a tile, in model space (scene/uv_surface.h); `weight` to
 /// `sum` are scratch of one projection.
 struct SurfacePlanes {

@@ -44,9 +44,4 @@ float joined_mask_value(float below, const MaskEntry& entry, float value) {
     return mask.lanes[0];
 }
 
-float finished_mask_value(float value, bool invert) {
-    const float held = formulae::clamp(value, 0.0f, 1.0f);
-    return invert ? formulae::inverted(held) : held;
-}
-
 }  // namespace patina

@@ -19,7 +19,5 @@ glm::vec3 linear_color(const glm::vec3& color_encoded);
 float adjusted_mask_value(const AdjustmentSettings& adjustment, float below);
 /// The mask after `entry`, where it was `below` and the entry's source or adjustment gives `value`.
 float joined_mask_value(float below, const MaskEntry& entry, float value);
-/// The finished mask: clamped to 0..1, then inverted where asked.
-float finished_mask_value(float value, bool invert);
 
 }  // namespace patina

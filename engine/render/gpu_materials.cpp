@@ -2,7 +2,8 @@
 #include "render/gpu_materials.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "document/uv_rows.h"
 
 namespace patina::render {
 namespace {
@@ -37,18 +38,12 @@ struct MaterialBlock {
 };
 static_assert(sizeof(MaterialBlock) == sizeof(glm::vec4) * (4 * kTextureCount + 2));
 
-/// KHR_texture_transform: translation * rotation * scale, with its matrix's signs.
 SlotBlock slot_block(const SurfaceSlot& slot) {
-    const UvTransform& transform = slot.texture.transform;
-    const float angle = glm::radians(transform.rotation_degrees);
-    const float c = std::cos(angle);
-    const float s = std::sin(angle);
+    const UvRows rows = uv_rows(slot.texture.transform);
     return {.multiply = slot.multiply,
             .add = slot.add,
-            .uv_row_u = {c * transform.scale.x, s * transform.scale.y, transform.offset.x,
-                         static_cast<float>(slot.texture.uv_set)},
-            .uv_row_v = {-s * transform.scale.x, c * transform.scale.y, transform.offset.y,
-                         slot.texture.pixels ? 1.0f : 0.0f}};
+            .uv_row_u = {rows.u, static_cast<float>(slot.texture.uv_set)},
+            .uv_row_v = {rows.v, slot.texture.pixels ? 1.0f : 0.0f}};
 }
 
 MaterialBlock material_block(const SurfaceMaterial& surface) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/constants.hpp>
 
 namespace patina::render {
@@ -91,9 +92,7 @@ void LightBlock::set(const std::vector<Light>& lights) {
 }
 
 bool LightBlock::any_has_size() const {
-    return std::any_of(lights_.begin(), lights_.end(), [](const Light& light) {
-        return light.kind == Light::Kind::Sphere || light.kind == Light::Kind::Rectangle;
-    });
+    return std::any_of(lights_.begin(), lights_.end(), std::mem_fn(&Light::has_size));
 }
 
 void LightBlock::bind(gl::Pass& pass, gl::Program& program) const {

@@ -119,8 +119,7 @@ ShadowLight shadow_light(const Light& light, const glm::vec3& middle,
     if (light.kind == Kind::Directional) return {.towards_world = -ahead, .radius = kFarRadius};
     ShadowLight result{.is_far = false, .place_world = light.position_world};
     if (light.kind == Kind::Spot || light.kind == Kind::Rectangle) result.ahead_world = ahead;
-    const bool has_size = light.kind == Kind::Sphere || light.kind == Kind::Rectangle;
-    if (has_size && point)
+    if (light.has_size() && point)
         result.place_world = point_of(light, *point, middle);
     else if (light.kind == Kind::Sphere)
         result.radius = light.radius_m;

@@ -42,6 +42,8 @@ struct Light {
     float height_m = 1.0f;
     /// -pi to pi, of a rectangle about its direction; 0: its width lies level.
     float turn_radians = 0.0f;
+    /// Whether it shines from an area and not from a point.
+    bool has_size() const { return kind == Kind::Sphere || kind == Kind::Rectangle; }
     bool operator==(const Light&) const = default;
 };
 /// The most lights of a document, all of which are drawn.

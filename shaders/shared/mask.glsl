@@ -24,6 +24,13 @@ Real inverted(Real x) {
     return 1.0f - x;
 }
 
+/// The end of a mask, once all of its entries are joined: held to 0..1, then inverted or not.
+Real finished_mask(Real joined, bool invert) {
+    Real mask = clamp(joined, 0.0f, 1.0f);
+    if (invert) mask = inverted(mask);
+    return mask;
+}
+
 /// Contrast about a balance that stays: -1 is flat there, 0 changes nothing, 1 is a threshold.
 /// x, balance: 0..1; the result is held to 0..1.
 Real contrasted(Real x, float contrast, float balance) {

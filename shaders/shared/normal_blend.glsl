@@ -41,6 +41,13 @@ Real3 normal_over(Real3 backdrop, Real3 source, Real weight) {
     return unit_normal(mix(backdrop, source, weight));
 }
 
+/// In a group, whose backdrop covers in part: `laid`, the source laid on the backdrop by the weight,
+/// counts as far as there is a backdrop, elsewhere the source by its weight. `laid` for coverage 1,
+/// the source for 0.
+Real3 normal_in_group(Real3 laid, Real coverage, Real3 source, Real weight) {
+    return unit_normal(laid * coverage + source * (weight * (1.0f - coverage)));
+}
+
 /// Reoriented normal mapping: the source turned by the rotation that takes flat to the backdrop.
 /// A flat source leaves the backdrop, a flat backdrop leaves the source; length is kept.
 Real3 normal_blend_rnm(Real3 backdrop, Real3 source) {

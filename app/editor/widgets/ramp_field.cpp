@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/formulae/formulae.h"
 #include "editor/widgets/color_field.h"
 #include "editor/widgets/number_text.h"
 #include "editor/widgets/slider.h"
@@ -20,15 +21,14 @@ glm::vec3 look(const RampSpec& spec, const glm::vec3& value) {
 }
 
 glm::vec3 ramp_value(const std::vector<RampStop>& stops, float position) {
-    if (position <= stops.front().position) return stops.front().value;
-    for (std::size_t i = 1; i < stops.size(); ++i) {
-        const RampStop& low = stops[i - 1];
-        const RampStop& high = stops[i];
-        if (position > high.position) continue;
-        const float width = std::max(high.position - low.position, 1e-6f);
-        return glm::mix(low.value, high.value, (position - low.position) / width);
+    formulae::Ramp ramp = {};
+    ramp.count = static_cast<int>(stops.size());
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const glm::vec3& value = stops[i].value;
+        ramp.stops[i] = {stops[i].position, value.x, value.y, value.z};
     }
-    return stops.back().value;
+    const formulae::Real3 color = formulae::ramp_color(ramp, position);
+    return {color.x, color.y, color.z};
 }
 
 void paint_bar(const Ui& ui, const Rect& bar, const RampSpec& spec,

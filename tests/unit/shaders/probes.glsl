@@ -381,6 +381,9 @@ Real4 probe(int which, Real4 a, Real4 b) {
     if (which == 58) return probe_lamp(a, b);
     if (which == 59) return probe_fading(a, b);
     if (which == 60) return probe_from_middle(a, b);
+    if (which == 61)
+        return Real4(normal_in_group(probe_normal(a), b.x, probe_normal(b), b.y),
+                     finished_mask(2.0f * a.x - 0.5f, false) + finished_mask(a.y, true));
     return Real4(-1.0f);
 }
 

@@ -78,7 +78,8 @@ inline constexpr Probe kProbes[] = {
     {"projection_weights, projected_place, projected_lean", 1e-5f},
     {"range_window, cone_window, rectangle_point", 1e-5f},
     {"spread_pattern, faded_result", 2e-6f},
-    {"interleaved_gradient_noise, sphere_from_middle, rectangle_from_middle", 1e-5f},
+    {"interleaved_gradient_noise, sphere_from_middle, luma_bt601 ...", 1e-5f},
+    {"normal_in_group; finished_mask", 2e-6f},
 };
 inline constexpr int kProbeCount = static_cast<int>(std::size(kProbes));
 
