@@ -157,6 +157,14 @@ TEST(AreaLight, FarAwayASphereAndARectangleAreAsBrightAsAPointOfTheirIntensity) 
     }
 }
 
+TEST(AreaLight, FromTheirMiddleTheyGiveWhatAPointDoesAndAtMostPi) {
+    EXPECT_FLOAT_EQ(formulae::sphere_from_middle(100.0f, 0.1f) / (0.01f * formulae::PI), 0.01f);
+    EXPECT_FLOAT_EQ(formulae::rectangle_from_middle(100.0f, 0.02f, 0.5f) / 0.02f, 0.005f);
+    EXPECT_FLOAT_EQ(formulae::sphere_from_middle(1e-8f, 0.1f), formulae::PI);
+    EXPECT_FLOAT_EQ(formulae::rectangle_from_middle(1e-8f, 0.02f, 1.0f), formulae::PI);
+    EXPECT_EQ(formulae::rectangle_from_middle(1.0f, 0.02f, -0.5f), 0.0f);
+}
+
 TEST(AreaLight, SphereDirectionsMeetItAndTheirMeanIsTheIntegral) {
     for (const float sine2 : {0.002f, 0.3f, 0.95f}) {
         const glm::dvec3 towards = glm::normalize(glm::dvec3(0.3, -0.5, 0.4));

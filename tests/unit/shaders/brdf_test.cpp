@@ -148,6 +148,8 @@ TEST(Brdf, F0FollowsTheIorAndSpecularExtensions) {
     const Real3 base(0.9f, 0.6f, 0.3f);
     EXPECT_EQ(formulae::material_f0(tinted, base, 1.0f).y, 0.6f);
     EXPECT_EQ(formulae::material_f0(tinted, base, 0.0f).y, tinted.y);
+    const Real3 mixed = formulae::material_f0(tinted, base, 0.75f);
+    EXPECT_NEAR(formulae::dielectric_part_f0(mixed, base, 0.75f).z, tinted.z, 1e-6f);
     EXPECT_EQ(formulae::material_f90(0.5f, 1.0f), 1.0f);
     EXPECT_EQ(formulae::diffuse_color(base, 1.0f).x, 0.0f);
 }
@@ -240,6 +242,8 @@ TEST(Brdf, TheLectureSetHasNeitherPiNorEnergyBalance) {
     EXPECT_NEAR(formulae::brdf_specular(terms, angles, Real3(0.04f), 1.0f, r).x, expected,
                 1e-5 * expected);
     EXPECT_EQ(formulae::brdf_diffuse(terms, angles, Real3(0.7f), Real3(0.04f), 1.0f, r).x, 0.7f);
+    EXPECT_EQ(formulae::ambient_terms(terms).diffuse, formulae::DIFFUSE_LAMBERT);
+    EXPECT_EQ(formulae::ambient_terms(terms).geometry, formulae::GEOMETRY_LECTURE);
 }
 
 TEST(Brdf, ATintedReflectionKeepsAsMuchOfEveryColourOutOfTheDiffusePart) {
@@ -274,23 +278,6 @@ TEST(Brdf, NothingIsInfiniteAtGrazingAnglesAndLeastRoughness) {
                             << distribution << " " << geometry << " " << roughness;
                     }
                 }
-}
-
-TEST(Brdf, HammersleyPointsFillTheSquareEvenly) {
-    double sum_x = 0, sum_y = 0, sum_xy = 0;
-    for (formulae::uint i = 0; i < 1024u; ++i) {
-        const Real2 point = formulae::hammersley(i, 1024u);
-        ASSERT_GE(point.y, 0.0f);
-        ASSERT_LT(point.y, 1.0f);
-        sum_x += point.x;
-        sum_y += point.y;
-        sum_xy += double{point.x} * point.y;
-    }
-    EXPECT_NEAR(sum_x / 1024, 0.5, 1e-3);
-    EXPECT_NEAR(sum_y / 1024, 0.5, 1e-3);
-    EXPECT_NEAR(sum_xy / 1024, 0.25, 2e-3);
-    EXPECT_EQ(formulae::hammersley(1u, 4u).y, 0.5f);
-    EXPECT_EQ(formulae::hammersley(3u, 4u).y, 0.75f);
 }
 
 TEST(Brdf, SampledHalfVectorsHaveTheDensityOfGgx) {

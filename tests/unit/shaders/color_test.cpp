@@ -72,6 +72,8 @@ TEST(Color, MiddleGreyAndLuminanceHaveTheirPublishedValues) {
     EXPECT_NEAR(formulae::srgb_from_linear(0.18f), 0.461356129f, 3e-6f);
     EXPECT_FLOAT_EQ(formulae::luminance(formulae::Real3(1.0f)), 1.0f);
     EXPECT_FLOAT_EQ(formulae::luminance({0.0f, 1.0f, 0.0f}), 0.7152f);
+    EXPECT_FLOAT_EQ(formulae::luma_bt601(formulae::Real3(1.0f)), 1.0f);
+    EXPECT_FLOAT_EQ(formulae::luma_bt601({0.0f, 1.0f, 0.0f}), 0.587f);
 }
 
 }  // namespace

@@ -26,6 +26,12 @@ TEST(Mask, DefaultLevelsChangeNothing) {
         EXPECT_EQ(formulae::levels(byte(value), 0.0f, 1.0f, 1.0f, 0.0f, 1.0f), byte(value));
 }
 
+TEST(Mask, AFinishedMaskIsHeldAndThenInverted) {
+    EXPECT_EQ(formulae::finished_mask(1.5f, false), 1.0f);
+    EXPECT_EQ(formulae::finished_mask(1.5f, true), 0.0f);
+    EXPECT_EQ(formulae::finished_mask(0.25f, true), 0.75f);
+}
+
 TEST(Mask, LevelsWithoutWidthAreAThreshold) {
     EXPECT_EQ(formulae::levels(0.49f, 0.5f, 0.5f, 1.0f, 0.0f, 1.0f), 0.0f);
     EXPECT_EQ(formulae::levels(0.51f, 0.5f, 0.5f, 1.0f, 0.0f, 1.0f), 1.0f);

@@ -85,6 +85,13 @@ RC_GTEST_PROP(NormalBlend, EncodingANormalAndDecodingItReturnsIt, ()) {
     RC_ASSERT(near(formulae::signed_from_encoded(formulae::encoded_from_signed(normal)), normal));
 }
 
+RC_GTEST_PROP(NormalBlend, InAGroupTheSourceStandsByItselfWhereNothingIsBelow, ()) {
+    const Real3 laid = *normals();
+    const Real3 source = *normals();
+    RC_ASSERT(near(formulae::normal_in_group(laid, 1.0f, source, 0.3f), laid));
+    RC_ASSERT(near(formulae::normal_in_group(laid, 0.0f, source, 0.3f), source));
+}
+
 TEST(NormalBlend, AVectorWithoutLengthIsFlat) {
     EXPECT_TRUE(near(formulae::unit_normal(Real3(0.0f)), kFlat));
 }
