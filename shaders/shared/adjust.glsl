@@ -7,7 +7,8 @@
 #include "shared/ramp.glsl"
 
 // Adjustments: what an adjustment layer makes of what lies below it. Colours and scalars of 0..1, in
-// the layer's blend space; every result is in 0..1. Levels are those of mask.glsl.
+// the layer's blend space; every result is in 0..1. Levels are those of mask.glsl. What names no
+// source is Patina's own; tests/unit/composite/published_adjustments.cpp writes each definition apart.
 
 /// A point of a curve and the slope there.
 struct CurvePoint {
@@ -21,8 +22,8 @@ struct Curve {
     CurvePoint points[8];
 };
 
-/// The curve at x: cubic Hermite pieces (Fritsch and Carlson, "Monotone piecewise cubic
-/// interpolation", SIAM J. Numer. Anal. 17, 1980, choose the slopes so that it never overshoots).
+/// The curve at x: cubic Hermite pieces. With the slopes of engine/composite/curve_slopes.h, those of
+/// Fritsch and Butland, 1984, it never overshoots.
 Real curve_value(Curve curve, Real x) {
     Real value = Real(curve.points[0].y);
     for (int i = 1; i < curve.count; ++i) {
@@ -40,20 +41,21 @@ Real curve_value(Curve curve, Real x) {
 }
 
 /// Brightness is added, then contrast is stretched about the middle. Both -1 to 1; 0, 0 changes
-/// nothing.
+/// nothing. Patina's own.
 Real brightened(Real x, float brightness, float contrast) {
     Real moved = clamp(x + brightness, 0.0f, 1.0f);
     if (contrast == 0.0f) return moved;
     return contrasted(moved, contrast, 0.5f);
 }
 
-/// As many equal steps from 0 to 1: 2 is black and white.
+/// As many equal steps from 0 to 1: 2 is black and white. SVG 1.1, feComponentTransfer of type
+/// "discrete" with a table of equal steps.
 Real posterised(Real x, float steps) {
     return min(floor(x * steps), steps - 1.0f) * (1.0f / (steps - 1.0f));
 }
 
 /// The hue turned by that many sixths of a turn, 0 to 6: the components go round as the corners of
-/// the colour cube do.
+/// the colour cube do, which is the hue of Smith's hexcone (1978).
 Real3 hue_turned(Real3 pure, float sixths) {
     Real3 turned = pure;
     float whole = floor(sixths);
@@ -79,7 +81,8 @@ Real3 hue_turned(Real3 pure, float sixths) {
 }
 
 /// Hue, saturation and lightness. sixths: the hue's turn, 0 to 6; saturation -1 (grey) to 1 (twice
-/// as much); lightness -1 (black) to 1 (white). 0, 0, 0 changes nothing.
+/// as much); lightness -1 (black) to 1 (white). 0, 0, 0 changes nothing. The hue and saturation of
+/// Smith's HSV; that the middle of HSL stays is Patina's own.
 Real3 hue_saturation(Real3 color, float sixths, float saturation, float lightness) {
     Real value = greatest_component(color);
     Real amount = clamp(saturation_hsv(color) * (1.0f + saturation), 0.0f, 1.0f);

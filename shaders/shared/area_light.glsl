@@ -223,7 +223,8 @@ Real3 brdf_of_highlight(BrdfTerms terms, ReflectionAngles angles, Real share, Re
 
 // Drawing directions towards them, with a density per steradian.
 
-/// A direction towards a sphere, for u of the unit square; each as likely.
+/// A direction towards a sphere, for u of the unit square; each as likely. Peter Shirley, Changyaw
+/// Wang and Kurt Zimmerman, "Monte Carlo techniques for direct lighting calculations", 1996.
 Real3 sphere_direction(Real2 u, Real3 towards, Real sine2) {
     Real height = u.y * cone_height(sine2);
     Real sine = sqrt(max(height * (2.0f - height), 0.0f));
@@ -232,6 +233,7 @@ Real3 sphere_direction(Real2 u, Real3 towards, Real sine2) {
     return frame.x_axis * (sine * cos_poly(phi)) + frame.y_axis * (sine * sin_poly(phi)) +
            towards * (1.0f - height);
 }
+/// 1 / the solid angle of its cone.
 Real sphere_density(Real sine2) {
     return 0.5f / (PI * cone_height(sine2));
 }
@@ -309,7 +311,8 @@ Real3 rectangle_point(Real2 u, SeenRectangle r) {
 Real3 rectangle_point_direction(Real2 u, SeenRectangle r) {
     return normalize(rectangle_point(u, r));
 }
-/// Per steradian, of a direction that meets the rectangle's front.
+/// Per steradian, of a direction that meets the rectangle's front: distance^2 / (cosine x area), as
+/// Shirley, Wang and Zimmerman have it.
 Real rectangle_point_density(Real3 direction, SeenRectangle r) {
     Real leaving = max(-dot(direction, r.shines), 1e-6f);
     Real distance = -dot(r.middle, r.shines) / leaving;

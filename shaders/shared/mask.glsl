@@ -32,7 +32,7 @@ Real finished_mask(Real joined, bool invert) {
 }
 
 /// Contrast about a balance that stays: -1 is flat there, 0 changes nothing, 1 is a threshold.
-/// x, balance: 0..1; the result is held to 0..1.
+/// x, balance: 0..1; the result is held to 0..1. Patina's own.
 Real contrasted(Real x, float contrast, float balance) {
     float slope = contrast < 0.0f ? 1.0f + contrast : 1.0f / max(1.0f - contrast, 1e-4f);
     return clamp((x - balance) * slope + balance, 0.0f, 1.0f);

@@ -360,7 +360,8 @@ Features nearest_features(FeaturePoints points, NoisePlace place) {
 }
 
 /// The distance from the sought point to the border between the cells of the two nearest feature
-/// points: to the line that is as far from one as from the other. 0 on every border.
+/// points: to the line that is as far from one as from the other. 0 on every border. Inigo Quilez,
+/// "Voronoi edges", 2012, his second way.
 Real feature_border_distance(Features near) {
     Real dx = near.second_x - near.first_x;
     Real dy = near.second_y - near.first_y;
@@ -494,7 +495,8 @@ Real noise(int kind, Real2 position, int period, uint seed, float footprint) {
     return ridged(perlin_noise(position, period, seed));
 }
 
-/// The mean of a kind of noise, to which detail fades that is too small to be shown.
+/// The mean of a kind of noise, to which detail fades that is too small to be shown. A test
+/// holds it to within 0.01 of a picture's.
 float noise_mean(int kind) {
     if (kind == NOISE_WORLEY) return 0.4295f;
     if (kind == NOISE_RIDGED) return 0.595f;

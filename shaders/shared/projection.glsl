@@ -21,7 +21,8 @@ Real3 projection_weights(Real3 normal, float blend) {
     return above * (1.0f / (above.x + above.y + above.z));
 }
 
-/// Where in the picture along `axis` a place of the model lies.
+/// Where in the picture along `axis` a place of the model lies. Patina's own: upright and unmirrored
+/// from all six sides.
 Real2 projected_place(int axis, Real3 position, Real side) {
     if (axis == 0)
         return Real2(select(side < 0.0f, position.z, 1.0f - position.z), 1.0f - position.y);
