@@ -10,8 +10,9 @@
 namespace patina {
 
 /// Texels of a tile, which is what a plane holds; a multiple of the lanes of the widest instruction
-/// set.
-inline constexpr int kTileTexels = 1024;
+/// set. Planes lie in the second-level cache then and no more in the first, which costs less than
+/// going through all operations twice as often.
+inline constexpr int kTileTexels = 2048;
 inline constexpr int kMaxLanes = 16;
 
 /// Blocks of successive texels of a tile, a bit each, the first the lowest.

@@ -103,14 +103,15 @@ float texel_width(const SourceRecord& record, const ProceduralTask& task) {
 }
 
 /// Points that lie evenly in the texture and on no grid that its cells could lie on too.
+constexpr int kEvenPoints = 1024;
 struct EvenPoints {
-    alignas(64) float u[kTileTexels];
-    alignas(64) float v[kTileTexels];
+    alignas(64) float u[kEvenPoints];
+    alignas(64) float v[kEvenPoints];
 };
 const EvenPoints& even_points() {
     static const EvenPoints points = [] {
         EvenPoints made;
-        for (int i = 0; i < kTileTexels; ++i) {
+        for (int i = 0; i < kEvenPoints; ++i) {
             const R2Point point = r2_point(i);
             made.u[i] = static_cast<float>(point.u);
             made.v[i] = static_cast<float>(point.v);
@@ -124,17 +125,17 @@ const EvenPoints& even_points() {
 
 glm::vec3 procedural_mean(const ProceduralSource& source, bool scalar) {
     ProceduralTask task = task_of(source);
-    task.count = kTileTexels;
+    task.count = kEvenPoints;
     task.u = even_points().u;
     task.v = even_points().v;
     task.scalar = scalar;
-    alignas(64) float values[3][kTileTexels] = {};
+    alignas(64) float values[3][kEvenPoints] = {};
     float* const planes[3] = {values[0], values[1], values[2]};
     run_procedural(task, planes);
     glm::dvec3 sum(0.0);
-    for (int i = 0; i < kTileTexels; ++i)
+    for (int i = 0; i < kEvenPoints; ++i)
         sum += glm::dvec3(values[0][i], values[1][i], values[2][i]);
-    return glm::vec3(sum / double{kTileTexels});
+    return glm::vec3(sum / double{kEvenPoints});
 }
 
 void procedural_tile(const SourceRecord& record, const TileSpan& span, const TileCoordinates& at,

@@ -2,7 +2,7 @@
 #pragma once
 
 /// The unit of work: a run of texels of one row, with the planes of floats that all operations on
-/// it share. It stays in the first-level cache from the first operation to the last.
+/// it share. It stays in the caches of one core from the first operation to the last.
 
 #include <memory>
 #include <vector>
