@@ -113,10 +113,7 @@ void add_phong_options(CLI::App& command, RenderOptions& options) {
             if (!rgb)
                 throw CLI::ValidationError(flag,
                                            fmt::format("'{}' is no colour such as #ff8000", text));
-            const auto& linear = linear_of_bytes();
-            set([&](render::PhongSettings& phong) {
-                phong.*color = {linear[(*rgb)[0]], linear[(*rgb)[1]], linear[(*rgb)[2]]};
-            });
+            set([&](render::PhongSettings& phong) { phong.*color = linear_of_rgb(*rgb); });
         };
         command.add_option_function<std::string>(flag, choose, help)->type_name("#rrggbb");
     };

@@ -15,4 +15,9 @@ const std::array<float, 256>& linear_of_bytes() {
     return table;
 }
 
+glm::vec3 linear_of_rgb(const std::array<std::uint8_t, 3>& rgb) {
+    const std::array<float, 256>& linear = linear_of_bytes();
+    return {linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]};
+}
+
 }  // namespace patina

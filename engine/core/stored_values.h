@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 namespace patina {
 
@@ -18,5 +19,7 @@ constexpr float unit_value(std::uint16_t stored) {
 
 /// The linear light of each of the 256 sRGB-encoded bytes.
 const std::array<float, 256>& linear_of_bytes();
+/// The linear light of an sRGB-encoded red, green and blue, 0..1.
+glm::vec3 linear_of_rgb(const std::array<std::uint8_t, 3>& rgb);
 
 }  // namespace patina

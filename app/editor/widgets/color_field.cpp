@@ -199,8 +199,7 @@ std::optional<glm::vec3> color_from_hex(std::string_view words) {
     while (!words.empty() && words.back() == ' ') words.remove_suffix(1);
     const auto rgb = rgb_from_hex(words);
     if (!rgb) return std::nullopt;
-    const auto& linear = linear_of_bytes();
-    return glm::vec3(linear[(*rgb)[0]], linear[(*rgb)[1]], linear[(*rgb)[2]]);
+    return linear_of_rgb(*rgb);
 }
 
 std::optional<glm::vec3> color_popup(Ui& ui, const Rect& anchor, const glm::vec3& color_linear) {
