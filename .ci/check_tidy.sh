@@ -23,17 +23,22 @@ mkdir -p "$passed_folder"
 export passed_folder work_folder
 
 # "SOURCE DEPENDENCY" for each file of this tree that an object of engine/ or app/ is made from.
-# Ninja lists the source itself first, and paths as seen from the build folder.
+# Ninja lists paths as seen from the build folder. Sources that were compiled as one text share what
+# each of them includes.
 list_dependencies() {
     ninja -C "$build_folder" -t deps | awk -v tree="$PWD/" '
-        /^[^ ]/ { wanted = /^(engine|app)\//; source = "" }
+        function flush(  source, path) {
+            for (source in paths) if (source ~ /\.cpp$/) for (path in paths) print source, path
+            delete paths
+        }
+        /^[^ ]/ { flush(); wanted = /^(engine|app)\// }
         /^ / && wanted {
             path = $1
             if (index(path, tree) == 1) path = substr(path, length(tree) + 1)
             while (sub(/^\.\.\//, "", path)) {}
-            if (path !~ /^(engine|app|shaders)\//) next
-            if (source == "") source = path
-            print source, path }'
+            if (path ~ /^(engine|app|shaders)\// && path !~ /^(engine|app)\/CMakeFiles\//) paths[path]
+        }
+        END { flush() }' | sort -u
 }
 
 # "SOURCE HASH" for each source: the hash of everything that its verdict hangs on.
@@ -48,7 +53,7 @@ list_keys() {
             { text[$1] = text[$1] " " $2 "=" hash[$2] }
             END { for (source in text) print source, common, text[source] }' - "$dependencies" |
         while read -r source text; do
-            printf '%s %s\n' "$source" "$(sha256sum <<<"$text" | cut -c1-40)"
+            printf '%s %s\n' "$source" "$(sha256sum <<<"$source $text" | cut -c1-40)"
         done | sort
 }
 

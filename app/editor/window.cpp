@@ -98,7 +98,7 @@ GLFWwindow* try_window(const Window::Description& description, int context_api) 
                             nullptr, nullptr);
 }
 
-void report(std::string_view message) {
+void report_gl_error(std::string_view message) {
     const std::string line = fmt::format("OpenGL: {}", message);
     log_line(LogLevel::Error, line);
     fmt::print(stderr, "patina: {}\n", line);
@@ -238,7 +238,7 @@ Result<Window> Window::open(const Description& description) {
     if (state->handle == nullptr)
         return failure("no window with OpenGL 4.1: {}; update the graphics driver", last_error());
     glfwMakeContextCurrent(state->handle);
-    if (description.report_errors) state->errors.emplace(report);
+    if (description.report_errors) state->errors.emplace(report_gl_error);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(state->handle, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(state->handle, &state->events);

@@ -18,7 +18,7 @@ namespace {
 
 /// Kernels read and write whole runs of lanes, four at a time.
 constexpr std::size_t kPadding = 64;
-constexpr int kRowsPerTask = 8;
+constexpr int kStripRowsPerTask = 8;
 /// Of a strip: some tasks for each thread.
 constexpr int kLeastStripRows = 128;
 
@@ -100,7 +100,7 @@ class Preparation {
 
     void run(RowRange rows, const Progress& progress) {
         parallel_for(
-            rows.begin, rows.end, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+            rows.begin, rows.end, kStripRowsPerTask, [&](std::int64_t first, std::int64_t last) {
                 if (progress.cancelled()) return;
                 TilePlanes tile(job_.program->depths);
                 std::vector<float> line(static_cast<std::size_t>(job_.size + 2 * planes_.reach()) +

@@ -9,7 +9,7 @@ namespace patina {
 namespace {
 
 const Source kAll = ConstantSource{glm::vec3(1.0f, 0.0f, 0.0f)};
-const Source kNone = ConstantSource{glm::vec3(0.0f)};
+const Source kNoSource = ConstantSource{glm::vec3(0.0f)};
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -158,7 +158,7 @@ const Source& resolved_source(const Source& source, const UvSurface* surface) {
     if (surface == nullptr) return kAll;
     const std::vector<std::uint8_t> chosen = chosen_parts(*geometry, *surface);
     const auto count = std::count(chosen.begin(), chosen.end(), std::uint8_t{1});
-    if (count == 0) return kNone;
+    if (count == 0) return kNoSource;
     return count == static_cast<std::ptrdiff_t>(chosen.size()) ? kAll : source;
 }
 

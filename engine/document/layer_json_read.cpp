@@ -11,7 +11,6 @@ namespace patina {
 namespace {
 
 /// Ids are whole numbers that every JSON reader keeps exactly.
-constexpr std::int64_t kLargestId = std::int64_t{1} << 53;
 
 void note(const Status& status, const std::string& pointer, JsonFaults& faults) {
     if (!status) faults.add(pointer, "is not valid: " + status.error().message);

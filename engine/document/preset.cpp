@@ -14,19 +14,19 @@ constexpr int kPresetFormat = 1;
 constexpr std::size_t kLongestText = 2000;
 constexpr std::size_t kMaxPresetImages = 64;
 
-bool is_plain(char c) {
+bool is_plain_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
 }
 
 bool is_preset_id(std::string_view id) {
     return !id.empty() && id.size() <= 64 && id.front() != '-' && id.back() != '-' &&
-           std::all_of(id.begin(), id.end(), is_plain);
+           std::all_of(id.begin(), id.end(), is_plain_letter);
 }
 
 /// A name in the preset's own folder: files are untrusted and may name nothing beyond it.
 bool is_plain_file_name(std::string_view name) {
     const auto allowed = [](char c) {
-        return is_plain(c) || (c >= 'A' && c <= 'Z') || c == '.' || c == '_';
+        return is_plain_letter(c) || (c >= 'A' && c <= 'Z') || c == '.' || c == '_';
     };
     return !name.empty() && name.size() <= 100 && name.front() != '.' &&
            std::all_of(name.begin(), name.end(), allowed);

@@ -13,7 +13,6 @@
 namespace patina {
 namespace {
 
-constexpr std::int64_t kLargestId = std::int64_t{1} << 53;
 constexpr std::size_t kMaxImages = 4096;
 constexpr std::int64_t kLargestSide = 16384;
 

@@ -23,6 +23,10 @@ struct LayerId {
     auto operator<=>(const LayerId&) const = default;
 };
 
+/// Of layers and mask entries alike. Many readers of JSON hold numbers as doubles, which are exact
+/// for whole numbers as far as this (RFC 8259, section 6).
+inline constexpr std::int64_t kLargestId = std::int64_t{1} << 53;
+
 /// KHR_texture_transform: uv' = offset + rotate(scale * uv). Rotation is counter-clockwise about
 /// the UV origin, as that extension defines it.
 struct UvTransform {

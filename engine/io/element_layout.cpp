@@ -6,18 +6,18 @@
 namespace patina::io {
 namespace {
 
-struct Shape {
+struct ElementShape {
     std::string_view name;
     int rows;
     int columns;
 };
-constexpr std::array<Shape, 7> kShapes = {{{"SCALAR", 1, 1},
-                                           {"VEC2", 2, 1},
-                                           {"VEC3", 3, 1},
-                                           {"VEC4", 4, 1},
-                                           {"MAT2", 2, 2},
-                                           {"MAT3", 3, 3},
-                                           {"MAT4", 4, 4}}};
+constexpr std::array<ElementShape, 7> kShapes = {{{"SCALAR", 1, 1},
+                                                  {"VEC2", 2, 1},
+                                                  {"VEC3", 3, 1},
+                                                  {"VEC4", 4, 1},
+                                                  {"MAT2", 2, 2},
+                                                  {"MAT3", 3, 3},
+                                                  {"MAT4", 4, 4}}};
 
 }  // namespace
 
@@ -54,7 +54,7 @@ std::size_t ElementLayout::column_bytes() const {
 }
 
 bool set_shape(ElementLayout& layout, std::string_view name) {
-    for (const Shape& shape : kShapes) {
+    for (const ElementShape& shape : kShapes) {
         if (shape.name != name) continue;
         layout.rows = shape.rows;
         layout.columns = shape.columns;

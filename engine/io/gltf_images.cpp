@@ -45,7 +45,7 @@ void for_each_texture_index(Json& material, const Visit& visit) {
     });
 }
 
-std::string_view extension_of(std::string_view mime_type) {
+std::string_view file_extension_of(std::string_view mime_type) {
     if (mime_type == "image/jpeg") return "jpg";
     if (mime_type == "image/png") return "png";
     const std::size_t slash = mime_type.rfind('/');
@@ -250,7 +250,7 @@ void GltfImages::place_new_image(Json& item, const NewImage& image) {
     const std::string mime_type = text_at(item, "mimeType");
     if (source_.container == Container::Gltf) {
         const std::string name = fmt::format("{}-{}.{}", safe_file_name(text_at(item, "name"), 60),
-                                             to_hex(image.hash), extension_of(mime_type));
+                                             to_hex(image.hash), file_extension_of(mime_type));
         item.erase("mimeType");
         item["uri"] = name;
         files_[name] = image.bytes;

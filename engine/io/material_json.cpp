@@ -3,10 +3,11 @@
 
 #include <array>
 
+#include "io/texture_use.h"
+
 namespace patina::io {
 namespace {
 
-constexpr const char* kTransform = "KHR_texture_transform";
 constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr const char* kIor = "KHR_materials_ior";
 constexpr const char* kSpecular = "KHR_materials_specular";
@@ -56,11 +57,11 @@ void erase_if_empty(Json& json, const char* key) {
 
 void state_transform(Json& info, const UvTransform& transform) {
     if (info.contains("extensions") && info["extensions"].is_object()) {
-        info["extensions"].erase(kTransform);
+        info["extensions"].erase(kTextureTransform);
         erase_if_empty(info, "extensions");
     }
     if (transform == UvTransform{}) return;
-    Json& json = object_at(info, "extensions")[kTransform];
+    Json& json = object_at(info, "extensions")[kTextureTransform];
     json = Json::object();
     state(json, "offset", json_numbers(transform.offset), json_numbers(glm::vec2(0.0f)));
     state(json, "rotation", json_number(glm::radians(transform.rotation_degrees)), 0);
@@ -181,7 +182,7 @@ void state_settings(Json& material, const Material& now, const Material* before)
 void list_extensions(GltfJson& gltf, const Json& material) {
     Json copy = material;
     for_each_member(copy, [&](const std::string& key, const Json&) {
-        if (key == kTransform) gltf.use_extension(key);
+        if (key == kTextureTransform) gltf.use_extension(key);
         for (const char* written : kWrittenExtensions)
             if (key == written) gltf.use_extension(key);
     });

@@ -35,7 +35,7 @@ void pad(Bytes& bytes, char filler) {
 }
 
 /// The JSON of the file and its binary chunk, as they grow.
-struct GlbParts {
+struct GrowingGlb {
     Json json;
     Bytes binary;
 
@@ -61,7 +61,7 @@ Json to_json(glm::vec3 v) {
     return {v.x, v.y, v.z};
 }
 
-Json primitive_json(GlbParts& parts, const Primitive& primitive) {
+Json primitive_json(GrowingGlb& parts, const Primitive& primitive) {
     assert(!primitive.positions.empty());
     Json attributes;
     const auto add = [&](const char* name, const auto& values, const char* type) {
@@ -118,7 +118,7 @@ Bytes assemble(std::string_view json, const Bytes& binary) {
 }  // namespace
 
 Bytes mesh_to_glb(const Mesh& mesh, std::span<const PlainMaterial> materials) {
-    GlbParts parts;
+    GrowingGlb parts;
     parts.json = {{"asset", {{"version", "2.0"}, {"generator", "Patina"}}},
                   {"scene", 0},
                   {"scenes", Json::array({{{"name", mesh.name}, {"nodes", {0}}}})},

@@ -147,18 +147,18 @@ bool crc_is_right(ByteSpan name_and_data, const std::byte* stored) {
     return crc32_gzip_refl(0, bytes, name_and_data.size()) == big_endian(stored);
 }
 
-struct Chunk {
+struct ReadChunk {
     std::uint32_t name = 0;
     ByteSpan data;
     bool intact = false;
 };
 /// The next chunk; `bytes` is moved past it.
-Result<Chunk> take_chunk(ByteSpan& bytes) {
+Result<ReadChunk> take_png_chunk(ByteSpan& bytes) {
     constexpr std::size_t kAround = 12;  // length, name, CRC
     if (bytes.size() < kAround) return failure("PNG: cut off");
     const std::uint32_t length = big_endian(bytes.data());
     if (length > kLargestLength || length > bytes.size() - kAround) return failure("PNG: cut off");
-    Chunk chunk;
+    ReadChunk chunk;
     chunk.name = big_endian(bytes.data() + 4);
     chunk.data = bytes.subspan(8, length);
     chunk.intact = crc_is_right(bytes.subspan(4, 4 + length), bytes.data() + 8 + length);
@@ -171,12 +171,12 @@ Result<PngFile> read_chunks(ByteSpan encoded, bool with_pixels) {
     ByteSpan rest = encoded.subspan(std::min(kSignatureBytes, encoded.size()));
     PngFile png;
     for (auto& color : png.palette) color[3] = 255;
-    const auto header = take_chunk(rest);
+    const auto header = take_png_chunk(rest);
     if (!header || header->name != chunk_name("IHDR") || !header->intact)
         return failure("PNG: damaged header");
     if (const auto status = read_ihdr(header->data, png); !status) return passed_on(status);
     while (!rest.empty()) {
-        const auto chunk = take_chunk(rest);
+        const auto chunk = take_png_chunk(rest);
         if (!chunk && !png.pixel_data.empty()) break;  // the pixels may be complete all the same
         if (!chunk) return passed_on(chunk);
         if (chunk->name == chunk_name("IEND")) break;

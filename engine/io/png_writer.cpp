@@ -24,7 +24,7 @@ constexpr std::size_t kChunkHead = 8;  // length and type
 constexpr std::size_t kChunkCrc = 4;
 
 /// How the file stores the image's rows.
-struct Layout {
+struct RowLayout {
     int channels = 0;
     std::size_t sample = 1;     ///< bytes
     std::size_t row_bytes = 0;  ///< without the filter's number
@@ -75,14 +75,14 @@ Status check(const Image& image, const PngOptions& options) {
     return {};
 }
 
-Layout layout_of(const Image& image) {
+RowLayout layout_of(const Image& image) {
     return {.channels = image.channels,
             .sample = sample_bytes(image.type),
             .row_bytes = image.row_bytes()};
 }
 
 /// Copies one row as PNG stores it: 16-bit numbers high byte first.
-void pack_row(const Image& image, const Layout& layout, std::size_t y, unsigned char* out) {
+void pack_row(const Image& image, const RowLayout& layout, std::size_t y, unsigned char* out) {
     const auto* in =
         reinterpret_cast<const unsigned char*>(image.data.data()) + y * layout.row_bytes;
     if (layout.sample == 1) {
@@ -112,7 +112,7 @@ class RowPair {
     std::size_t which_ = 0;
 };
 
-void filter_strip(const Image& image, const Layout& layout, std::size_t first, std::size_t last,
+void filter_strip(const Image& image, const RowLayout& layout, std::size_t first, std::size_t last,
                   PixelVector<unsigned char>& filtered) {
     const std::size_t stride = layout.row_bytes + 1;
     filtered.resize((last - first) * stride);
@@ -180,7 +180,7 @@ struct Strip {
     bool done = false;
 };
 
-std::vector<Strip> compressed_strips(const Image& image, const Layout& layout, int level,
+std::vector<Strip> compressed_strips(const Image& image, const RowLayout& layout, int level,
                                      const Progress& progress) {
     const auto height = static_cast<std::size_t>(image.height);
     const std::size_t rows =
@@ -206,7 +206,7 @@ std::vector<Strip> compressed_strips(const Image& image, const Layout& layout, i
     return strips;
 }
 
-PngChunk header_chunk(const Image& image, const Layout& layout) {
+PngChunk header_chunk(const Image& image, const RowLayout& layout) {
     constexpr std::array<unsigned char, 5> kColorType = {0, 0, 4, 2, 6};
     std::array<unsigned char, 13> data = {};
     put_u32(data.data(), static_cast<std::uint32_t>(image.width));
@@ -251,7 +251,7 @@ Bytes joined(const PngChunk& header, const std::vector<Strip>& strips) {
 
 Result<Bytes> encode_png(const Image& image, const PngOptions& options, const Progress& progress) {
     if (const Status ok = check(image, options); !ok) return passed_on(ok);
-    const Layout layout = layout_of(image);
+    const RowLayout layout = layout_of(image);
     std::vector<Strip> strips = compressed_strips(image, layout, options.level, progress);
     if (progress.cancelled()) return failure("writing a PNG was cancelled");
     for (const Strip& strip : strips)

@@ -8,13 +8,13 @@
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
 #include "io/png_writer.h"
+#include "io/texture_use.h"
 #include "scene/sample_values.h"
 
 namespace patina::io {
 namespace {
 
 constexpr const char* kExtension = "KHR_materials_pbrSpecularGlossiness";
-constexpr const char* kTransform = "KHR_texture_transform";
 constexpr float kDielectricSpecular = 0.04f;
 constexpr float kEpsilon = 1e-6f;
 
@@ -236,8 +236,8 @@ class Converter {
     static void place_like(const tinygltf::Value& slot, int texture, tinygltf::TextureInfo& info) {
         info.index = texture;
         info.texCoord = std::max(index_in(slot, "texCoord"), 0);
-        if (slot.Has("extensions") && slot.Get("extensions").Has(kTransform))
-            info.extensions[kTransform] = slot.Get("extensions").Get(kTransform);
+        if (slot.Has("extensions") && slot.Get("extensions").Has(kTextureTransform))
+            info.extensions[kTextureTransform] = slot.Get("extensions").Get(kTextureTransform);
     }
 
     tinygltf::Model& model_;

@@ -20,8 +20,7 @@ TextureUse use_of(int texture, int uv_set, const tinygltf::Value& transform) {
 
 template <typename Info>
 TextureUse use_of_info(const Info& info) {
-    return use_of(info.index, info.texCoord,
-                  extension_of(info.extensions, "KHR_texture_transform"));
+    return use_of(info.index, info.texCoord, extension_of(info.extensions, kTextureTransform));
 }
 
 const tinygltf::Value& member(const tinygltf::Value& object, const char* key) {
@@ -44,7 +43,7 @@ TextureUse texture_use(const tinygltf::OcclusionTextureInfo& info) {
 TextureUse texture_use(const tinygltf::Value& extension, const char* key) {
     const tinygltf::Value& info = member(extension, key);
     return use_of(index_in(info, "index"), std::max(index_in(info, "texCoord"), 0),
-                  member(member(info, "extensions"), "KHR_texture_transform"));
+                  member(member(info, "extensions"), kTextureTransform));
 }
 
 int image_index(const tinygltf::Model& model, const TextureUse& use) {

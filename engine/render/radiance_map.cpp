@@ -12,7 +12,7 @@
 namespace patina::render {
 namespace {
 
-constexpr std::int64_t kRowsPerTask = 16;
+constexpr std::int64_t kMapRowsPerTask = 16;
 
 float linear_sample(const Image& image, int x, int y, int channel) {
     if (image.type != SampleType::F32) return linear_value(image, x, y, channel);
@@ -34,7 +34,7 @@ Result<RadianceMap> radiance_map(const Image& equirect) {
     if (count == 0 || equirect.data.size() != equirect.row_bytes() * std::size_t(equirect.height))
         return failure("environment map has no pixels: give an equirectangular .hdr or .exr");
     RadianceMap map{equirect.width, equirect.height, std::vector<glm::vec3>(count)};
-    parallel_for(0, equirect.height, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+    parallel_for(0, equirect.height, kMapRowsPerTask, [&](std::int64_t first, std::int64_t last) {
         glm::vec3* texel = map.texels.data() + std::size_t(first) * std::size_t(equirect.width);
         for (int y = int(first); y < int(last); ++y)
             for (int x = 0; x < equirect.width; ++x) *texel++ = linear_texel(equirect, x, y);
@@ -57,7 +57,7 @@ float texel_solid_angle_at_horizon(int width, int height) {
 RadianceMap halved(const RadianceMap& map) {
     RadianceMap half{std::max(1, map.width / 2), std::max(1, map.height / 2), {}};
     half.texels.resize(std::size_t(half.width) * std::size_t(half.height));
-    parallel_for(0, half.height, kRowsPerTask, [&](std::int64_t first, std::int64_t last) {
+    parallel_for(0, half.height, kMapRowsPerTask, [&](std::int64_t first, std::int64_t last) {
         for (int y = int(first); y < int(last); ++y)
             for (int x = 0; x < half.width; ++x) {
                 glm::vec3 sum(0.0f);

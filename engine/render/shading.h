@@ -107,4 +107,9 @@ struct Shading {
     bool operator==(const Shading&) const = default;
 };
 
+/// As people read it, such as "Blinn-Phong".
+constexpr std::string_view label_of(const Shading& shading) {
+    return kShadingModels[static_cast<std::size_t>(shading.model)].label;
+}
+
 }  // namespace patina::render

@@ -17,10 +17,6 @@
 namespace patina::editor {
 namespace {
 
-std::string_view label_of(const render::Shading& shading) {
-    return render::kShadingModels[static_cast<std::size_t>(shading.model)].label;
-}
-
 struct TableRow {
     std::string name;
     std::string left;

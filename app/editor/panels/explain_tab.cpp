@@ -23,15 +23,15 @@ std::string value_words(Channel channel, const glm::vec3& value) {
     return {};
 }
 
-struct Columns {
+struct ExplainColumns {
     Rect layer;
     Rect value;
     Rect weight;
     Rect result;
 };
 
-Columns columns_of(const Ui& ui, Rect row, Channel channel) {
-    Columns columns;
+ExplainColumns explain_columns(const Ui& ui, Rect row, Channel channel) {
+    ExplainColumns columns;
     const float wide = ui.px(info(channel).kind == ChannelKind::Normal  ? 104
                              : info(channel).kind == ChannelKind::Color ? 62
                                                                         : 44);
@@ -46,7 +46,7 @@ Columns columns_of(const Ui& ui, Rect row, Channel channel) {
 }
 
 void draw_heading(const Ui& ui, const Rect& row, Channel channel) {
-    const Columns columns = columns_of(ui, row, channel);
+    const ExplainColumns columns = explain_columns(ui, row, channel);
     const ImFont* font = ui.fonts.caption11;
     text(ui, columns.layer, font, theme::kText3, "Layer");
     text(ui, columns.value, font, theme::kText3, "Value", Align::Right);
@@ -69,7 +69,7 @@ void draw_step(Ui& ui, const Rect& row, const ExplainStep& step, Channel channel
                                  .tip = step.depth > 0 ? &covered : nullptr});
     if (lit || pressed.hovered) fill(ui, row, lit ? theme::kSelected : theme::kRowHover);
     if (pressed.clicked && of_layer) view.layer = step.layer;
-    Columns columns = columns_of(ui, row, channel);
+    ExplainColumns columns = explain_columns(ui, row, channel);
     columns.layer.x0 += ui.px(12) * static_cast<float>(step.depth);
     text(ui, columns.layer, ui.fonts.value12, lit ? theme::kText : theme::kText2, step.layer_name);
     text(ui, columns.value, ui.fonts.value12, theme::kText, value_words(channel, step.source),

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMapSide = 96;  // of squares: sharp up to 250 %
 constexpr int kBallMapSide = 256;
-constexpr int kBallSide = 192;
+constexpr int kThumbnailSide = 192;
 constexpr std::size_t kMostEntries = 600;
 constexpr std::size_t kMostKeys = 4 * kMostEntries;
 
@@ -89,12 +89,12 @@ Result<Image> environment_picture(const EnvironmentSource& source) {
     return small_panorama(**map);
 }
 
-/// U8 at most kBallSide texels a side, by nearest texels (mips smooth it further).
+/// U8 at most kThumbnailSide texels a side, by nearest texels (mips smooth it further).
 Result<Image> small_image(const Image& image) {
     if (image.type != SampleType::U8 && image.type != SampleType::U16)
         return failure("no small picture of floats");
     const int longest = std::max(image.width, image.height);
-    const int step = std::max(1, (longest + kBallSide - 1) / kBallSide);
+    const int step = std::max(1, (longest + kThumbnailSide - 1) / kThumbnailSide);
     Image result{.width = std::max(1, image.width / step),
                  .height = std::max(1, image.height / step),
                  .channels = image.channels,
@@ -306,7 +306,7 @@ Picture ThumbnailCache::environment(const std::string& name) {
 Result<Image> ThumbnailCache::ball_picture(const render::SurfaceMaterial& surface) {
     if (!ball_) ball_ = MaterialBall::create();
     if (!*ball_) return passed_on(*ball_);
-    return (*ball_)->picture(surface, kBallSide);
+    return (*ball_)->picture(surface, kThumbnailSide);
 }
 
 bool ThumbnailCache::finish_some(bool hurried) {

@@ -20,7 +20,7 @@ namespace {
 constexpr float kMargin = 8.0f;  // of the graph in its field, so that a point at a corner is whole
 constexpr float kGrabRadius = 9.0f;
 constexpr float kDragOff = 28.0f;  // beyond the field, where a point that is let go is removed
-constexpr float kDragStart = 3.0f;
+constexpr float kPointDragStart = 3.0f;
 
 constexpr float kLeastGap = 0.002f;  // between two points: they have to ascend
 constexpr float kRound = 1000.0f;    // a drag stops at thousandths
@@ -190,7 +190,8 @@ std::optional<std::vector<CurvePoint>> worked_by_mouse(const Ui& ui, const Rect&
         return with_point_added(graph, points, hold);
     }
     if (!hold.dragging || !pressed.held) return std::nullopt;
-    const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kDragStart * ui.scale);
+    const ImVec2 moved =
+        ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kPointDragStart * ui.scale);
     if (moved.x == 0.0f && moved.y == 0.0f) return std::nullopt;
     std::vector<CurvePoint> next = dragged(ui, field, graph, hold);
     return next != points ? std::optional(std::move(next)) : std::nullopt;

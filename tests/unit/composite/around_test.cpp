@@ -9,28 +9,28 @@
 #include <cmath>
 #include <random>
 
-#include "composite/bake_channels.h"
 #include "composite/composite_rect.h"
-#include "composite/image_table.h"
+#include "composite/small_stack.h"
 #include "core/formulae/formulae.h"
 
 namespace patina {
 namespace {
 
-constexpr int kSize = 40;
+/// Texels a side of the images of blocks, and of the maps that show them.
+constexpr int kBlocksSide = 40;
 
 std::size_t index_of(int x, int y, int channels, int channel) {
-    const auto texel = static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+    const auto texel = static_cast<std::size_t>(y) * kBlocksSide + static_cast<std::size_t>(x);
     return texel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(channel);
 }
 
 /// Bytes of 0 to 255 in runs of a few texels.
 Image blocks(std::uint32_t seed, int channels) {
     std::mt19937 random(seed);
-    Image image{.width = kSize, .height = kSize, .channels = channels};
-    image.data.resize(index_of(0, kSize, channels, 0));
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
+    Image image{.width = kBlocksSide, .height = kBlocksSide, .channels = channels};
+    image.data.resize(index_of(0, kBlocksSide, channels, 0));
+    for (int y = 0; y < kBlocksSide; ++y)
+        for (int x = 0; x < kBlocksSide; ++x)
             for (int k = 0; k < channels; ++k) {
                 const std::size_t at = index_of(x, y, channels, k);
                 const bool begins = x % 3 == 0 || random() % 4 == 0;
@@ -41,16 +41,12 @@ Image blocks(std::uint32_t seed, int channels) {
 }
 
 double byte_at(const Image& image, int x, int y, int channel) {
-    const auto wrap = [](int i) { return ((i % kSize) + kSize) % kSize; };
+    const auto wrap = [](int i) { return ((i % kBlocksSide) + kBlocksSide) % kBlocksSide; };
     return static_cast<double>(image.data[index_of(wrap(x), wrap(y), image.channels, channel)]) /
            255;
 }
 
-LayerPtr shared(Layer layer) {
-    return std::make_shared<const Layer>(std::move(layer));
-}
-
-Layer adjusting(const AdjustmentSettings& settings, Channel channel) {
+Layer adjusting_layer(const AdjustmentSettings& settings, Channel channel) {
     Layer layer{.id = {2}, .content = AdjustmentContent{settings}};
     at(layer.channels, channel).enabled = true;
     return layer;
@@ -60,18 +56,6 @@ Layer filled(Channel channel, Source source) {
     Layer layer{.id = {1}};
     at(layer.channels, channel) = {.enabled = true, .source = std::move(source)};
     return layer;
-}
-
-Material stack_of(std::vector<LayerPtr> stack) {
-    Material material;
-    material.stack = std::move(stack);
-    return material;
-}
-
-PixelVector<float> plane(const Material& material, ImageTable& images, Channel channel, int size,
-                         int component = 0) {
-    return bake_channels(Program::compile(material), images, size, {channel})
-        ->plane(channel, component);
 }
 
 /// The weights of a Gaussian of a third of the radius, lowered to 0 there, that sum up to 1.
@@ -102,7 +86,7 @@ double blurred(const std::vector<double>& weights, int x, int y, const Read& rea
 AdjustmentSettings blur_of(double radius_texels) {
     AdjustmentSettings settings;
     settings.kind = AdjustmentKind::Blur;
-    settings.radius_permille = static_cast<float>(radius_texels * 1000 / kSize);
+    settings.radius_permille = static_cast<float>(radius_texels * 1000 / kBlocksSide);
     return settings;
 }
 
@@ -111,14 +95,15 @@ TEST(Around, ABlurIsTheGaussianMeanOverTheBordersOfTheTexture) {
     const Image image = blocks(1, 1);
     const Source source = ImageSource{.image = images.add(image), .pick = ChannelPick::Red};
     for (const double radius : {0.7, 1.3, 2.0}) {
-        const auto baked = plane(stack_of({shared(filled(Channel::Roughness, source)),
-                                           shared(adjusting(blur_of(radius), Channel::Roughness))}),
-                                 images, Channel::Roughness, kSize);
+        const auto baked =
+            plane(stack_of({shared(filled(Channel::Roughness, source)),
+                            shared(adjusting_layer(blur_of(radius), Channel::Roughness))}),
+                  images, Channel::Roughness, kBlocksSide);
         const std::vector<double> weights = gaussian(radius);
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x)
+        for (int y = 0; y < kBlocksSide; ++y)
+            for (int x = 0; x < kBlocksSide; ++x)
                 ASSERT_NEAR(
-                    static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+                    static_cast<double>(baked[static_cast<std::size_t>(y * kBlocksSide + x)]),
                     blurred(weights, x, y, [&](int i, int j) { return byte_at(image, i, j, 0); }),
                     2e-6)
                     << radius << " at " << x << ", " << y;
@@ -133,15 +118,15 @@ TEST(Around, SharpeningAddsWhatABlurTakesAwayAndIsHeldToZeroToOne) {
     settings.kind = AdjustmentKind::Sharpen;
     settings.amount = 1.5f;
     const auto baked = plane(stack_of({shared(filled(Channel::Metalness, source)),
-                                       shared(adjusting(settings, Channel::Metalness))}),
-                             images, Channel::Metalness, kSize);
+                                       shared(adjusting_layer(settings, Channel::Metalness))}),
+                             images, Channel::Metalness, kBlocksSide);
     const std::vector<double> weights = gaussian(2);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kBlocksSide; ++y)
+        for (int x = 0; x < kBlocksSide; ++x) {
             const double own = byte_at(image, x, y, 0);
             const double blur =
                 blurred(weights, x, y, [&](int i, int j) { return byte_at(image, i, j, 0); });
-            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kBlocksSide + x)]),
                         std::clamp(own + 1.5 * (own - blur), 0.0, 1.0), 5e-6);
         }
 }
@@ -154,18 +139,18 @@ TEST(Around, InAGroupABlurMixesOnlyWhatCovers) {
                               ImageSource{.image = images.add(image), .alpha_is_coverage = true});
     Layer group{.id = {3}};
     at(group.channels, Channel::BaseColor).enabled = true;
-    group.content =
-        GroupContent{.children = {shared(fill), shared(adjusting(blur_of(2), Channel::BaseColor))}};
+    group.content = GroupContent{
+        .children = {shared(fill), shared(adjusting_layer(blur_of(2), Channel::BaseColor))}};
     const auto baked =
-        plane(stack_of({shared(group)}), images, Channel::BaseColor, kSize, /*component=*/1);
+        plane(stack_of({shared(group)}), images, Channel::BaseColor, kBlocksSide, /*component=*/1);
     const std::vector<double> weights = gaussian(2);
     const auto cover = [&](int i, int j) { return byte_at(image, i, j, 3); };
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kBlocksSide; ++y)
+        for (int x = 0; x < kBlocksSide; ++x) {
             const double sum = blurred(
                 weights, x, y, [&](int i, int j) { return cover(i, j) * byte_at(image, i, j, 1); });
             const double mean = sum / blurred(weights, x, y, cover);
-            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kBlocksSide + x)]),
                         cover(x, y) * mean + (1 - cover(x, y)) * 0.5, 5e-6);
         }
 }
@@ -181,33 +166,33 @@ TEST(Around, AWarpTakesEachTexelFromWhereTheNoiseSays) {
     settings.octaves = 2;
     settings.seed = 9;
     const auto baked = plane(stack_of({shared(filled(Channel::Roughness, source)),
-                                       shared(adjusting(settings, Channel::Roughness))}),
-                             images, Channel::Roughness, kSize);
+                                       shared(adjusting_layer(settings, Channel::Roughness))}),
+                             images, Channel::Roughness, kBlocksSide);
     int moved = 0;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
-            const formulae::Real2 cell((static_cast<float>(x) + 0.5f) / kSize * 5,
-                                       (static_cast<float>(y) + 0.5f) / kSize * 5);
+    for (int y = 0; y < kBlocksSide; ++y)
+        for (int x = 0; x < kBlocksSide; ++x) {
+            const formulae::Real2 cell((static_cast<float>(x) + 0.5f) / kBlocksSide * 5,
+                                       (static_cast<float>(y) + 0.5f) / kBlocksSide * 5);
             const formulae::Real2 direction =
-                formulae::warp_direction(cell, 5, 9u, 2, 5.0f / kSize);
+                formulae::warp_direction(cell, 5, 9u, 2, 5.0f / kBlocksSide);
             const double px = x + 4.0 * static_cast<double>(direction.x);
             const double py = y + 4.0 * static_cast<double>(direction.y);
             const int x0 = static_cast<int>(std::floor(px)), y0 = static_cast<int>(std::floor(py));
             const auto row = [&](int j) {
                 return std::lerp(byte_at(image, x0, j, 0), byte_at(image, x0 + 1, j, 0), px - x0);
             };
-            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kSize + x)]),
+            ASSERT_NEAR(static_cast<double>(baked[static_cast<std::size_t>(y * kBlocksSide + x)]),
                         std::lerp(row(y0), row(y0 + 1), py - y0), 1e-5);
             moved += std::abs(px - x) > 0.5 ? 1 : 0;
         }
-    EXPECT_GT(moved, kSize * kSize / 4);
+    EXPECT_GT(moved, kBlocksSide * kBlocksSide / 4);
 }
 
 TEST(Around, NothingIsMovedOrMixedByDistanceAndAmountOfZeroOrBelowATexel) {
     ImageTable images;
     const Source source = ImageSource{.image = images.add(blocks(5, 3))};
     const Layer fill = filled(Channel::BaseColor, source);
-    const auto plain = plane(stack_of({shared(fill)}), images, Channel::BaseColor, kSize);
+    const auto plain = plane(stack_of({shared(fill)}), images, Channel::BaseColor, kBlocksSide);
     AdjustmentSettings still;
     still.kind = AdjustmentKind::Warp;
     still.distance_permille = 0.0f;
@@ -215,9 +200,10 @@ TEST(Around, NothingIsMovedOrMixedByDistanceAndAmountOfZeroOrBelowATexel) {
     blunt.kind = AdjustmentKind::Sharpen;
     blunt.amount = 0.0f;
     for (const AdjustmentSettings& settings : {still, blunt, blur_of(0.9)})
-        EXPECT_EQ(plane(stack_of({shared(fill), shared(adjusting(settings, Channel::BaseColor))}),
-                        images, Channel::BaseColor, kSize),
-                  plain);
+        EXPECT_EQ(
+            plane(stack_of({shared(fill), shared(adjusting_layer(settings, Channel::BaseColor))}),
+                  images, Channel::BaseColor, kBlocksSide),
+            plain);
 }
 
 TEST(Around, ABlurredNormalIsAUnitVectorAndFlatStaysFlat) {
@@ -225,23 +211,24 @@ TEST(Around, ABlurredNormalIsAUnitVectorAndFlatStaysFlat) {
     const Source bumps = ImageSource{.image = images.add(blocks(6, 3)),
                                      .multiply = glm::vec3(0.4f),
                                      .add = glm::vec3(0.0f, 0.0f, 0.6f)};
-    const Material material = stack_of(
-        {shared(filled(Channel::Normal, bumps)), shared(adjusting(blur_of(2), Channel::Normal))});
-    const auto x = plane(material, images, Channel::Normal, kSize, 0);
-    const auto y = plane(material, images, Channel::Normal, kSize, 1);
-    const auto z = plane(material, images, Channel::Normal, kSize, 2);
+    const Material material = stack_of({shared(filled(Channel::Normal, bumps)),
+                                        shared(adjusting_layer(blur_of(2), Channel::Normal))});
+    const auto x = plane(material, images, Channel::Normal, kBlocksSide, 0);
+    const auto y = plane(material, images, Channel::Normal, kBlocksSide, 1);
+    const auto z = plane(material, images, Channel::Normal, kBlocksSide, 2);
     double rough = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         ASSERT_NEAR(x[i] * x[i] + y[i] * y[i] + z[i] * z[i], 1.0f, 1e-5f);
         rough += std::abs(static_cast<double>(x[i]));
     }
-    const auto sharp = plane(stack_of({material.stack[0]}), images, Channel::Normal, kSize, 0);
+    const auto sharp =
+        plane(stack_of({material.stack[0]}), images, Channel::Normal, kBlocksSide, 0);
     double before = 0;
     for (const float value : sharp) before += std::abs(static_cast<double>(value));
     EXPECT_LT(rough, before);
     const Layer flat = filled(Channel::Normal, ConstantSource{{0.0f, 0.0f, 1.0f}});
-    for (const float value :
-         plane(stack_of({shared(flat), material.stack[1]}), images, Channel::Normal, kSize, 2))
+    for (const float value : plane(stack_of({shared(flat), material.stack[1]}), images,
+                                   Channel::Normal, kBlocksSide, 2))
         ASSERT_EQ(value, 1.0f);
 }
 
@@ -257,7 +244,7 @@ TEST(Around, TheLookDoesNotDependOnTheResolution) {
         settings.radius_permille = 40.0f;
         settings.distance_permille = 50.0f;
         const Material material = stack_of({shared(filled(Channel::Roughness, noise)),
-                                            shared(adjusting(settings, Channel::Roughness))});
+                                            shared(adjusting_layer(settings, Channel::Roughness))});
         const auto small = plane(material, images, Channel::Roughness, 128);
         const auto large = plane(material, images, Channel::Roughness, 256);
         for (std::size_t y = 0; y < 128; ++y)
@@ -285,16 +272,16 @@ TEST(Around, AnEditOfAPartChangesWhatTheBlurAndTheWarpAboveReach) {
         Layer fill = filled(Channel::BaseColor, ImageSource{.image = images.add(image),
                                                             .color_space = ColorSpace::Srgb});
         return Program::compile(
-            stack_of({shared(fill), shared(adjusting(blur_of(2), Channel::BaseColor)),
-                      shared(adjusting(warp, Channel::BaseColor))}));
+            stack_of({shared(fill), shared(adjusting_layer(blur_of(2), Channel::BaseColor)),
+                      shared(adjusting_layer(warp, Channel::BaseColor))}));
     };
     const Program old_program = program_of(before), new_program = program_of(after);
     LiveComposite live;
-    ASSERT_TRUE(live.update(old_program, images, kSize));
-    const auto update = live.update_within(dab, new_program, images, kSize);
+    ASSERT_TRUE(live.update(old_program, images, kBlocksSide));
+    const auto update = live.update_within(dab, new_program, images, kBlocksSide);
     ASSERT_TRUE(update.has_value());
-    EXPECT_LT(update->changed.x1 - update->changed.x0, kSize);
-    const MapSet cold = bake_maps(new_program, images, kSize, {BakedMap::BaseColor}).value();
+    EXPECT_LT(update->changed.x1 - update->changed.x0, kBlocksSide);
+    const MapSet cold = bake_maps(new_program, images, kBlocksSide, {BakedMap::BaseColor}).value();
     EXPECT_EQ(*live.maps()[BakedMap::BaseColor], *cold[BakedMap::BaseColor]);
 }
 
@@ -318,13 +305,13 @@ Material looking_around_often(ImageTable& images, int size) {
         at(group.channels, channel).enabled = true;
     Layer fill = filled(Channel::BaseColor, image);
     at(fill.channels, Channel::Height) = {.enabled = true, .source = image};
-    Layer blur = adjusting(blur_of(1.5), Channel::BaseColor);
+    Layer blur = adjusting_layer(blur_of(1.5), Channel::BaseColor);
     at(blur.channels, Channel::Height).enabled = true;
     group.content = GroupContent{.children = {shared(fill), shared(blur)}};
     AdjustmentSettings bend;
     bend.kind = AdjustmentKind::Warp;
     bend.distance_permille = 60.0f;
-    Layer warp = adjusting(bend, Channel::BaseColor);
+    Layer warp = adjusting_layer(bend, Channel::BaseColor);
     at(warp.channels, Channel::Height).enabled = true;
     Material material =
         stack_of({shared(bumps), shared(hollows), shared(group), shared(warp), shared(hollows)});
@@ -383,7 +370,7 @@ TEST(Around, WhatIsKeptOfALargeMapIsBoundedAndNotAPlane) {
 TEST(Around, WhatIsTheSameEverywhereStaysAFactor) {
     const Material material =
         stack_of({shared(filled(Channel::Roughness, ConstantSource{{0.3f, 0, 0}})),
-                  shared(adjusting(blur_of(2), Channel::Roughness))});
+                  shared(adjusting_layer(blur_of(2), Channel::Roughness))});
     const Program program = Program::compile(material);
     EXPECT_EQ(program.slots()[static_cast<std::size_t>(Slot::MetallicRoughness)],
               SlotPlan(SlotConstant{{0.0f, 0.3f, 0.0f, 0.0f}}));

@@ -32,15 +32,15 @@ Hash128 hash_of(const MapSet& maps) {
 }
 
 /// How far a map is from the reference, in steps of 1/255.
-struct Difference {
+struct Deviation {
     double greatest = 0;
     int beyond_rounding = 0;  ///< values that are not the nearest byte
     int values = 0;
 };
 
-Difference difference_from_reference(const Material& material, const ImageTable& images,
-                                     BakedMap map, const Image& image) {
-    Difference difference;
+Deviation difference_from_reference(const Material& material, const ImageTable& images,
+                                    BakedMap map, const Image& image) {
+    Deviation difference;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const glm::dvec4 reference = reference_texel(material, images, map, image.width, x, y);
@@ -63,7 +63,7 @@ RC_GTEST_PROP(Bake, EqualsTheReferenceToTheNearestByte, ()) {
     const Material material = random.material();
     const MapSet maps = baked(material, random.images, size);
     for (const BakedMap map : kAllMaps) {
-        const Difference difference =
+        const Deviation difference =
             difference_from_reference(material, random.images, map, *maps[map]);
         RC_LOG() << kBakedMapIds[static_cast<std::size_t>(map)] << ": greatest difference "
                  << difference.greatest << ", beyond rounding " << difference.beyond_rounding
@@ -159,7 +159,7 @@ TEST(Bake, EveryModeIsThatOfTheReferenceInTheStackAndInAGroup) {
             ImageTable images;
             for (const Material& material : stacks_with(row.mode, channel, images)) {
                 const Image baked_map = *baked(material, images, 16)[map];
-                const Difference difference =
+                const Deviation difference =
                     difference_from_reference(material, images, map, baked_map);
                 EXPECT_EQ(difference.beyond_rounding, 0)
                     << row.id << " of " << info(channel).id << ", greatest " << difference.greatest

@@ -12,11 +12,8 @@
 namespace patina {
 namespace {
 
-constexpr int kSize = 64;
-
-Source number(float value) {
-    return ConstantSource{glm::vec3(value, 0.0f, 0.0f)};
-}
+/// Texels a side of the maps of the bumps.
+constexpr int kBumpsSide = 64;
 
 /// Bumps from -0.5 to 0.5, metal.
 Layer bumps(std::uint32_t seed = 1) {
@@ -24,31 +21,27 @@ Layer bumps(std::uint32_t seed = 1) {
     ProceduralSource noise{.seed = seed, .scale = 5.0f};
     noise.ramp = {{0.0f, glm::vec3(-0.5f)}, {1.0f, glm::vec3(0.5f)}};
     set(layer, Channel::Height, noise);
-    set(layer, Channel::Metalness, number(1.0f));
-    set(layer, Channel::Roughness, number(0.2f));
+    set(layer, Channel::Metalness, constant(1.0f));
+    set(layer, Channel::Roughness, constant(0.2f));
     return layer;
 }
 
 /// Level at 0, with an edge of no width; no metal.
 Layer sand(float radius = 0.0f) {
     Layer layer{.id = {2}};
-    set(layer, Channel::Height, number(0.0f));
-    set(layer, Channel::Metalness, number(0.0f));
-    set(layer, Channel::Roughness, number(0.9f));
+    set(layer, Channel::Height, constant(0.0f));
+    set(layer, Channel::Metalness, constant(0.0f));
+    set(layer, Channel::Roughness, constant(0.9f));
     layer.height_blend = {.enabled = true, .radius = radius};
     return layer;
 }
 
-PixelVector<float> plane(const Material& material, Channel channel) {
-    return plane(material, channel, kSize);
-}
-
 TEST(HeightBlend, AllChannelsShowTheHigherLayerAndTheHeightIsTheGreater) {
     const Material material = stack_of({shared(bumps()), shared(sand())});
-    const auto below = plane(stack_of({shared(bumps())}), Channel::Height);
-    const auto height = plane(material, Channel::Height);
-    const auto metalness = plane(material, Channel::Metalness);
-    const auto roughness = plane(material, Channel::Roughness);
+    const auto below = plane(stack_of({shared(bumps())}), Channel::Height, kBumpsSide);
+    const auto height = plane(material, Channel::Height, kBumpsSide);
+    const auto metalness = plane(material, Channel::Metalness, kBumpsSide);
+    const auto roughness = plane(material, Channel::Roughness, kBumpsSide);
     int covered = 0;
     for (std::size_t i = 0; i < below.size(); ++i) {
         const bool sand_is_higher = below[i] < 0.0f;
@@ -57,8 +50,8 @@ TEST(HeightBlend, AllChannelsShowTheHigherLayerAndTheHeightIsTheGreater) {
         ASSERT_EQ(roughness[i], sand_is_higher ? 0.9f : 0.2f);
         ASSERT_EQ(height[i], std::max(below[i], 0.0f));
     }
-    EXPECT_GT(covered, kSize * kSize / 5);
-    EXPECT_LT(covered, kSize * kSize * 4 / 5);
+    EXPECT_GT(covered, kBumpsSide * kBumpsSide / 5);
+    EXPECT_LT(covered, kBumpsSide * kBumpsSide * 4 / 5);
 }
 
 TEST(HeightBlend, RaisingTheLayerCoversMoreAndAtLastEverything) {
@@ -67,7 +60,7 @@ TEST(HeightBlend, RaisingTheLayerCoversMoreAndAtLastEverything) {
         Layer raised = sand(0.1f);
         raised.height_blend.offset = offset;
         const auto metalness =
-            plane(stack_of({shared(bumps()), shared(raised)}), Channel::Metalness);
+            plane(stack_of({shared(bumps()), shared(raised)}), Channel::Metalness, kBumpsSide);
         double covered = 0;
         for (const float value : metalness) covered += 1.0 - static_cast<double>(value);
         EXPECT_GT(covered, before);
@@ -76,7 +69,7 @@ TEST(HeightBlend, RaisingTheLayerCoversMoreAndAtLastEverything) {
             EXPECT_EQ(covered, 0.0);
         }
         if (offset == 1.0f) {
-            EXPECT_EQ(covered, kSize * kSize);
+            EXPECT_EQ(covered, kBumpsSide * kBumpsSide);
         }
     }
 }
@@ -85,8 +78,9 @@ TEST(HeightBlend, TheMaskAndTheOpacityScaleTheShare) {
     Layer half = sand();
     half.opacity = 0.5f;
     half.mask.base = 0.5f;
-    const auto metalness = plane(stack_of({shared(bumps()), shared(half)}), Channel::Metalness);
-    const auto below = plane(stack_of({shared(bumps())}), Channel::Height);
+    const auto metalness =
+        plane(stack_of({shared(bumps()), shared(half)}), Channel::Metalness, kBumpsSide);
+    const auto below = plane(stack_of({shared(bumps())}), Channel::Height, kBumpsSide);
     for (std::size_t i = 0; i < below.size(); ++i)
         ASSERT_EQ(metalness[i], below[i] < 0.0f ? 0.75f : 1.0f);
 }
@@ -94,11 +88,11 @@ TEST(HeightBlend, TheMaskAndTheOpacityScaleTheShare) {
 /// The heights below decide, though nobody sees them: a layer on top has other ones.
 TEST(HeightBlend, HeightsThatAreCoveredFurtherUpStillDecide) {
     Layer flat{.id = {3}};
-    set(flat, Channel::Height, number(0.25f));
+    set(flat, Channel::Height, constant(0.25f));
     at(flat.channels, Channel::Height).mode = BlendMode::Replace;
     const Material covered = stack_of({shared(bumps()), shared(sand()), shared(flat)});
-    EXPECT_EQ(plane(covered, Channel::Metalness),
-              plane(stack_of({shared(bumps()), shared(sand())}), Channel::Metalness));
+    EXPECT_EQ(plane(covered, Channel::Metalness, kBumpsSide),
+              plane(stack_of({shared(bumps()), shared(sand())}), Channel::Metalness, kBumpsSide));
 }
 
 /// In a group that lays on no heights, its layers still have some among themselves.
@@ -107,8 +101,8 @@ TEST(HeightBlend, InAGroupTheHeightsOfTheGroupDecideThoughItLaysOnNone) {
     group.id = {4};
     group.content = GroupContent{.children = {shared(bumps()), shared(sand())}};
     at(group.channels, Channel::Height).enabled = false;
-    EXPECT_EQ(plane(stack_of({shared(group)}), Channel::Metalness),
-              plane(stack_of({shared(bumps()), shared(sand())}), Channel::Metalness));
+    EXPECT_EQ(plane(stack_of({shared(group)}), Channel::Metalness, kBumpsSide),
+              plane(stack_of({shared(bumps()), shared(sand())}), Channel::Metalness, kBumpsSide));
     // Nothing of it is left in the height channel.
     EXPECT_FALSE(varies(Program::compile(stack_of({shared(group)})), Channel::Height));
 }
@@ -120,8 +114,8 @@ TEST(HeightBlend, AGroupIsAsHighAsItsLayersMakeIt) {
     group.id = {4};
     group.content = GroupContent{.children = {shared(level)}};
     group.height_blend = sand().height_blend;
-    EXPECT_EQ(plane(stack_of({shared(bumps()), shared(group)}), Channel::Metalness),
-              plane(stack_of({shared(bumps()), shared(sand())}), Channel::Metalness));
+    EXPECT_EQ(plane(stack_of({shared(bumps()), shared(group)}), Channel::Metalness, kBumpsSide),
+              plane(stack_of({shared(bumps()), shared(sand())}), Channel::Metalness, kBumpsSide));
 }
 
 TEST(HeightBlend, AnotherHeightBelowIsAnotherPictureOfEveryChannelOfTheLayer) {
@@ -152,7 +146,7 @@ TEST(HeightBlend, SwitchedOffTheNumbersLeaveNoTrace) {
 TEST(HeightBlend, ExplainTellsTheShareAsPartOfTheMask) {
     ImageTable images;
     const auto steps = explain_texel(stack_of({shared(bumps()), shared(sand(0.5f))}), nullptr,
-                                     images, Channel::Metalness, kSize, 3, 5);
+                                     images, Channel::Metalness, kBumpsSide, 3, 5);
     ASSERT_TRUE(steps.has_value());
     ASSERT_EQ(steps->size(), 2u);
     EXPECT_GT(steps->back().mask, 0.0f);

@@ -15,11 +15,8 @@
 namespace patina {
 namespace {
 
-constexpr int kSize = 40;
-
-PixelVector<float> plane(const Material& material, Channel channel) {
-    return plane(material, channel, kSize);
-}
+/// Texels a side of the maps of the rust.
+constexpr int kRustSide = 40;
 
 MaskEntry entry_of(Source source, std::uint64_t id) {
     return {.id = {id}, .name = "entry", .source = std::move(source)};
@@ -50,9 +47,9 @@ TEST(LayerReference, AMaskReadsWhereTheOtherLayerCovers) {
     Layer copy = masked_by({1});
     copy.mask = rust().mask;
     copy.opacity = 0.6f;
-    const auto expected = plane(stack_of({shared(copy)}), Channel::Roughness);
+    const auto expected = plane(stack_of({shared(copy)}), Channel::Roughness, kRustSide);
     const auto found =
-        plane(stack_of({shared(rust()), shared(masked_by({1}))}), Channel::Roughness);
+        plane(stack_of({shared(rust()), shared(masked_by({1}))}), Channel::Roughness, kRustSide);
     for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 1e-6f);
     EXPECT_NE(*std::min_element(found.begin(), found.end()),
               *std::max_element(found.begin(), found.end()));
@@ -62,25 +59,26 @@ TEST(LayerReference, HiddenLayersAndThoseFurtherUpAreReadAsWell) {
     Layer hidden = rust();
     hidden.visible = false;
     const auto below =
-        plane(stack_of({shared(hidden), shared(masked_by({1}))}), Channel::Roughness);
+        plane(stack_of({shared(hidden), shared(masked_by({1}))}), Channel::Roughness, kRustSide);
     const auto above =
-        plane(stack_of({shared(masked_by({1})), shared(hidden)}), Channel::Roughness);
+        plane(stack_of({shared(masked_by({1})), shared(hidden)}), Channel::Roughness, kRustSide);
     Layer group{.id = {7}};
     group.content = GroupContent{.children = {shared(rust())}};
     for (ChannelSettings& settings : group.channels) settings.enabled = true;
     const auto inside =
-        plane(stack_of({shared(masked_by({1})), shared(group)}), Channel::Roughness);
-    EXPECT_EQ(below, plane(stack_of({shared(rust()), shared(masked_by({1}))}), Channel::Roughness));
+        plane(stack_of({shared(masked_by({1})), shared(group)}), Channel::Roughness, kRustSide);
+    EXPECT_EQ(below, plane(stack_of({shared(rust()), shared(masked_by({1}))}), Channel::Roughness,
+                           kRustSide));
     EXPECT_EQ(above, below);
     EXPECT_EQ(inside, below);
 }
 
 TEST(LayerReference, OneToALayerThatIsNotThereReadsNothing) {
-    const auto masked = plane(stack_of({shared(masked_by({77}))}), Channel::Roughness);
+    const auto masked = plane(stack_of({shared(masked_by({77}))}), Channel::Roughness, kRustSide);
     EXPECT_TRUE(std::all_of(masked.begin(), masked.end(), [](float v) { return v == 0.5f; }));
     const auto laid =
         plane(stack_of({shared(reading(LayerResult::Metalness, Channel::Roughness, {77}))}),
-              Channel::Roughness);
+              Channel::Roughness, kRustSide);
     EXPECT_TRUE(std::all_of(laid.begin(), laid.end(), [](float v) { return v == 0.5f; }));
 }
 
@@ -90,7 +88,7 @@ TEST(LayerReference, WhatIsReadIsMadeWhatIsNeeded) {
     set(hidden, Channel::Metalness, ConstantSource{glm::vec3(0.25f)});
     set(hidden, Channel::Height, ConstantSource{glm::vec3(-0.5f)});
     const auto read = [&](LayerResult result, Channel into) {
-        return plane(stack_of({shared(hidden), shared(reading(result, into))}), into)[7];
+        return plane(stack_of({shared(hidden), shared(reading(result, into))}), into, kRustSide)[7];
     };
     // Rec. 709 luminance, as of images.
     EXPECT_NEAR(read(LayerResult::BaseColor, Channel::Roughness),
@@ -119,7 +117,7 @@ Layer only(Layer layer, Channel channel, LayerId id) {
 }
 
 RC_GTEST_PROP(LayerReference, IsAsACopyOfTheLayerInItsPlace, ()) {
-    RandomStack random(*rc::gen::noShrink(rc::gen::inRange(0u, 1u << 30)), kSize,
+    RandomStack random(*rc::gen::noShrink(rc::gen::inRange(0u, 1u << 30)), kRustSide,
                        RandomSources::All);
     Material material = random.material();
     const auto at_layer = *rc::gen::inRange<std::size_t>(0, material.stack.size());
@@ -134,7 +132,8 @@ RC_GTEST_PROP(LayerReference, IsAsACopyOfTheLayerInItsPlace, ()) {
     material.stack.push_back(shared(reader));
     copied.stack.push_back(shared(only(read, channel, {9002})));
     const auto planes = [&](const Material& of) {
-        return bake_channels(Program::compile(of), random.images, kSize, {channel})->plane(channel);
+        return bake_channels(Program::compile(of), random.images, kRustSide, {channel})
+            ->plane(channel);
     };
     const auto found = planes(material);
     const auto expected = planes(copied);
@@ -164,9 +163,9 @@ TEST(LayerReference, TheLiveCompositeFollowsWhatIsReadBelowAndAbove) {
                 shared(rust(seed)), shared(reading(LayerResult::Metalness, Channel::Roughness))};
             if (above) std::swap(stack[0], stack[1]);
             const Program program = Program::compile(stack_of(stack));
-            ASSERT_TRUE(live.update(program, images, kSize));
+            ASSERT_TRUE(live.update(program, images, kRustSide));
             const auto map = BakedMap::OcclusionRoughnessMetalness;
-            const MapSet cold = bake_maps(program, images, kSize, {map}).value();
+            const MapSet cold = bake_maps(program, images, kRustSide, {map}).value();
             ASSERT_EQ(*live.maps()[map], *cold[map]);
         }
 }
@@ -175,7 +174,8 @@ TEST(LayerReference, ExplainListsTheLayersOfTheStackAlone) {
     ImageTable images;
     const Material material =
         stack_of({shared(rust()), shared(reading(LayerResult::Metalness, Channel::Metalness))});
-    const auto steps = explain_texel(material, nullptr, images, Channel::Metalness, kSize, 3, 4);
+    const auto steps =
+        explain_texel(material, nullptr, images, Channel::Metalness, kRustSide, 3, 4);
     ASSERT_TRUE(steps.has_value());
     ASSERT_EQ(steps->size(), 2u);
     EXPECT_EQ((*steps)[0].layer, LayerId{1});
@@ -192,9 +192,10 @@ TEST(LayerReference, ReadsReadersOfLayers) {
     at(third.channels, Channel::Occlusion).mode = BlendMode::Normal;
     Layer direct = reading(LayerResult::Metalness, Channel::Occlusion);
     at(direct.channels, Channel::Occlusion).mode = BlendMode::Normal;
-    const auto through =
-        plane(stack_of({shared(third), shared(second), shared(rust())}), Channel::Occlusion);
-    const auto straight = plane(stack_of({shared(direct), shared(rust())}), Channel::Occlusion);
+    const auto through = plane(stack_of({shared(third), shared(second), shared(rust())}),
+                               Channel::Occlusion, kRustSide);
+    const auto straight =
+        plane(stack_of({shared(direct), shared(rust())}), Channel::Occlusion, kRustSide);
     for (std::size_t i = 0; i < through.size(); ++i) ASSERT_NEAR(through[i], straight[i], 1e-6f);
 }
 

@@ -13,7 +13,7 @@
 namespace patina {
 namespace {
 
-constexpr int kSize = 70;  // no multiple of any number of lanes
+constexpr int kMaskSide = 70;  // no multiple of any number of lanes
 
 Source noise() {
     return ProceduralSource{.kind = ProceduralKind::Grunge, .seed = 3, .scale = 6.0f};
@@ -42,7 +42,7 @@ std::vector<AdjustmentKind> kinds_of_masks() {
     return kinds;
 }
 
-MaskEntry adjusting(AdjustmentKind kind, std::uint64_t id = 12) {
+MaskEntry adjusting_entry(AdjustmentKind kind, std::uint64_t id = 12) {
     MaskEntry entry = adjustment_mask_entry(kind);
     entry.id = {id};
     entry.adjustment = settings_of(kind);
@@ -59,7 +59,7 @@ Material seen(std::vector<MaskEntry> entries) {
 }
 
 PixelVector<float> seen_plane(std::vector<MaskEntry> entries) {
-    return plane(seen(std::move(entries)), Channel::Roughness, kSize);
+    return plane(seen(std::move(entries)), Channel::Roughness, kMaskSide);
 }
 
 MaskEntry noise_entry() {
@@ -72,7 +72,7 @@ PixelVector<float> of_channel(const Source& source, AdjustmentKind kind) {
     set(fill, Channel::Roughness, source);
     Layer layer{.id = {2}, .content = AdjustmentContent{settings_of(kind)}};
     at(layer.channels, Channel::Roughness).enabled = true;
-    return plane(stack_of({shared(fill), shared(layer)}), Channel::Roughness, kSize);
+    return plane(stack_of({shared(fill), shared(layer)}), Channel::Roughness, kMaskSide);
 }
 
 void expect_near(const PixelVector<float>& found, const PixelVector<float>& expected,
@@ -84,7 +84,7 @@ void expect_near(const PixelVector<float>& found, const PixelVector<float>& expe
 
 TEST(MaskAdjustment, MakesOfAMaskWhatItMakesOfAChannel) {
     for (const AdjustmentKind kind : kinds_of_masks()) {
-        const auto found = seen_plane({noise_entry(), adjusting(kind)});
+        const auto found = seen_plane({noise_entry(), adjusting_entry(kind)});
         expect_near(found, of_channel(noise(), kind), choice(kind).id);
         EXPECT_NE(found, seen_plane({noise_entry()})) << choice(kind).id;
     }
@@ -93,16 +93,16 @@ TEST(MaskAdjustment, MakesOfAMaskWhatItMakesOfAChannel) {
 TEST(MaskAdjustment, OfOneValueIsThatOfAChannelOfOneValue) {
     const Source grey = ConstantSource{glm::vec3(0.4f)};
     for (const AdjustmentKind kind : kinds_of_masks())
-        expect_near(seen_plane({{.id = {11}, .source = grey}, adjusting(kind)}),
+        expect_near(seen_plane({{.id = {11}, .source = grey}, adjusting_entry(kind)}),
                     of_channel(grey, kind), choice(kind).id);
 }
 
 TEST(MaskAdjustment, ItsOpacityMixesWithTheMaskBeforeIt) {
     for (const AdjustmentKind kind : {AdjustmentKind::Curves, AdjustmentKind::Blur}) {
-        MaskEntry half = adjusting(kind);
+        MaskEntry half = adjusting_entry(kind);
         half.opacity = 0.25f;
         const auto before = seen_plane({noise_entry()});
-        const auto whole = seen_plane({noise_entry(), adjusting(kind)});
+        const auto whole = seen_plane({noise_entry(), adjusting_entry(kind)});
         const auto found = seen_plane({noise_entry(), half});
         for (std::size_t i = 0; i < found.size(); ++i)
             ASSERT_NEAR(found[i], 0.75f * before[i] + 0.25f * whole[i], 1e-6f);
@@ -112,8 +112,8 @@ TEST(MaskAdjustment, ItsOpacityMixesWithTheMaskBeforeIt) {
 TEST(MaskAdjustment, AdjustsTheEntriesBeforeItAndNotThoseAfter) {
     const MaskEntry light{
         .id = {13}, .source = ConstantSource{glm::vec3(0.5f)}, .combine = BlendMode::Lighten};
-    const auto before = seen_plane({noise_entry(), light, adjusting(AdjustmentKind::Invert)});
-    const auto after = seen_plane({noise_entry(), adjusting(AdjustmentKind::Invert), light});
+    const auto before = seen_plane({noise_entry(), light, adjusting_entry(AdjustmentKind::Invert)});
+    const auto after = seen_plane({noise_entry(), adjusting_entry(AdjustmentKind::Invert), light});
     const auto plain = seen_plane({noise_entry()});
     for (std::size_t i = 0; i < plain.size(); ++i) {
         ASSERT_NEAR(before[i], 1.0f - std::max(plain[i], 0.5f), 1e-6f);
@@ -124,10 +124,10 @@ TEST(MaskAdjustment, AdjustsTheEntriesBeforeItAndNotThoseAfter) {
 /// Where a blur of a blurred relief reaches: each goes by the halo of the next.
 std::vector<MaskEntry> looking_around() {
     return {{.id = {11}, .source = ReliefSource{.kind = ReliefKind::Height}},
-            adjusting(AdjustmentKind::Blur, 12),
+            adjusting_entry(AdjustmentKind::Blur, 12),
             {.id = {13}, .source = noise(), .combine = BlendMode::Overlay},
-            adjusting(AdjustmentKind::Warp, 14),
-            adjusting(AdjustmentKind::Sharpen, 15)};
+            adjusting_entry(AdjustmentKind::Warp, 14),
+            adjusting_entry(AdjustmentKind::Sharpen, 15)};
 }
 
 Material with_heights(const Material& material) {
@@ -140,12 +140,12 @@ Material with_heights(const Material& material) {
 
 TEST(MaskAdjustment, InAGroupAndByReferenceAMaskIsWhatItIsInTheStack) {
     const Material whole = with_heights(seen(looking_around()));
-    const auto expected = plane(whole, Channel::Roughness, kSize);
+    const auto expected = plane(whole, Channel::Roughness, kMaskSide);
     Layer group{.id = {30}, .mode = BlendMode::PassThrough};
     for (ChannelSettings& settings : group.channels) settings.enabled = true;
     group.content = GroupContent{.children = {whole.stack[1], whole.stack[2]}};
     group.opacity = 0.999999f;  // so that it is one, and not its layers
-    expect_near(plane(stack_of({whole.stack[0], shared(group)}), Channel::Roughness, kSize),
+    expect_near(plane(stack_of({whole.stack[0], shared(group)}), Channel::Roughness, kMaskSide),
                 expected, "in a group");
 
     Layer reader = *seen({{.id = {16}, .source = ReferenceSource{.layer = {2}}}}).stack[1];
@@ -154,24 +154,24 @@ TEST(MaskAdjustment, InAGroupAndByReferenceAMaskIsWhatItIsInTheStack) {
     hidden.visible = false;
     const Material referring =
         stack_of({whole.stack[0], whole.stack[1], shared(hidden), shared(reader)});
-    expect_near(plane(referring, Channel::Roughness, kSize), expected, "by reference");
+    expect_near(plane(referring, Channel::Roughness, kMaskSide), expected, "by reference");
 }
 
 TEST(MaskAdjustment, TheMaskThatALayerIsClippedToIsAdjustedToo) {
     Layer base{.id = {2}};
     set(base, Channel::Metalness, ConstantSource{glm::vec3(1.0f)});
-    base.mask.entries = {noise_entry(), adjusting(AdjustmentKind::Blur)};
+    base.mask.entries = {noise_entry(), adjusting_entry(AdjustmentKind::Blur)};
     Layer clipped{.id = {3}, .clipped = true};
     set(clipped, Channel::Roughness, ConstantSource{glm::vec3(1.0f)});
-    const Material plain = seen({noise_entry(), adjusting(AdjustmentKind::Blur)});
-    EXPECT_EQ(
-        plane(stack_of({plain.stack[0], shared(base), shared(clipped)}), Channel::Roughness, kSize),
-        plane(plain, Channel::Roughness, kSize));
+    const Material plain = seen({noise_entry(), adjusting_entry(AdjustmentKind::Blur)});
+    EXPECT_EQ(plane(stack_of({plain.stack[0], shared(base), shared(clipped)}), Channel::Roughness,
+                    kMaskSide),
+              plane(plain, Channel::Roughness, kMaskSide));
 }
 
 TEST(MaskAdjustment, AnotherCurveIsAnotherPictureOfTheChannelsOfTheLayer) {
-    const Material before = seen({noise_entry(), adjusting(AdjustmentKind::Curves)});
-    MaskEntry other = adjusting(AdjustmentKind::Curves);
+    const Material before = seen({noise_entry(), adjusting_entry(AdjustmentKind::Curves)});
+    MaskEntry other = adjusting_entry(AdjustmentKind::Curves);
     other.adjustment->curve[1].y = 0.3f;
     const Material after = seen({noise_entry(), other});
     const auto slot = [](const Material& material, Slot of) {
@@ -193,7 +193,7 @@ TEST(MaskCombine, EveryModeIsItsPublishedDefinition) {
         for (std::size_t i = 0; i < found.size(); ++i) {
             const auto b = static_cast<double>(below[i]), s = static_cast<double>(own[i]);
             ASSERT_NEAR(static_cast<double>(found[i]),
-                        0.25 * b + 0.75 * testing::published_blend(row.mode, b, s), 1e-4)
+                        0.25 * b + 0.75 * test_support::published_blend(row.mode, b, s), 1e-4)
                 << row.id << " of " << b << " and " << s;
         }
     }

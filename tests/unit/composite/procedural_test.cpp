@@ -37,7 +37,7 @@ ProceduralTask run_of(ProceduralKind kind, int size) {
 }
 
 /// The same by the text, for one place.
-float expected(const ProceduralTask& task, float u, float v) {
+float value_by_text(const ProceduralTask& task, float u, float v) {
     formulae::Ramp ramp = {};
     ramp.count = task.stop_count;
     for (int stop = 0; stop < task.stop_count; ++stop)
@@ -49,9 +49,9 @@ float expected(const ProceduralTask& task, float u, float v) {
     return formulae::faded_result(
         shown, formulae::ramp_scalar(ramp, formulae::spread_pattern(shown, value)), task.mean[0]);
 }
-float expected(const ProceduralTask& task, int i) {
+float value_by_text(const ProceduralTask& task, int i) {
     const float u = (static_cast<float>(task.x + i) + 0.5f) / task.size;
-    return expected(task, u * task.u_per_u + task.u_of_row, u * task.v_per_u + task.v_of_row);
+    return value_by_text(task, u * task.u_per_u + task.u_of_row, u * task.v_per_u + task.v_of_row);
 }
 
 int differing_texels(const ProceduralTask& task) {
@@ -59,7 +59,7 @@ int differing_texels(const ProceduralTask& task) {
     float* const planes[3] = {values, nullptr, nullptr};
     run_procedural(task, planes);
     int differing = 0;
-    for (int i = 0; i < task.count; ++i) differing += values[i] != expected(task, i);
+    for (int i = 0; i < task.count; ++i) differing += values[i] != value_by_text(task, i);
     return differing;
 }
 
@@ -93,7 +93,7 @@ TEST(Procedurals, PlacesThatAProjectionScattersAreLookedUpOneByOne) {
     task.u = u;
     task.v = v;
     run_procedural(task, planes);
-    for (int i = 0; i < task.count; ++i) ASSERT_EQ(scattered[i], expected(task, u[i], v[i]));
+    for (int i = 0; i < task.count; ++i) ASSERT_EQ(scattered[i], value_by_text(task, u[i], v[i]));
 }
 
 double mean_of(const ProceduralSource& source, int size) {

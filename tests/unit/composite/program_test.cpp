@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "composite/composite.h"
-#include "composite/image_table.h"
+#include "composite/small_stack.h"
 
 namespace patina {
 namespace {
@@ -12,19 +12,15 @@ namespace {
 /// A fill layer whose `channel` is `source` and whose other channels are off.
 LayerPtr fill(std::uint64_t id, Channel channel, Source source) {
     Layer layer{.id = {id}, .name = "fill"};
-    at(layer.channels, channel) = {.enabled = true, .source = std::move(source)};
-    return std::make_shared<const Layer>(std::move(layer));
+    set(layer, channel, std::move(source));
+    return shared(std::move(layer));
 }
 
 template <typename Change>
 LayerPtr changed(const LayerPtr& layer, const Change& change) {
     Layer copy = *layer;
     change(copy);
-    return std::make_shared<const Layer>(std::move(copy));
-}
-
-Source constant(float x, float y, float z) {
-    return ConstantSource{glm::vec3(x, y, z)};
+    return shared(std::move(copy));
 }
 
 Hash128 some_image(std::uint64_t low) {
@@ -35,18 +31,12 @@ Source image(std::uint64_t low, ChannelPick pick, ColorSpace space = ColorSpace:
     return ImageSource{.image = some_image(low), .color_space = space, .pick = pick};
 }
 
-Material material_of(std::vector<LayerPtr> stack) {
-    Material material;
-    material.stack = std::move(stack);
-    return material;
-}
-
 const SlotPlan& plan(const Program& program, Slot slot) {
     return program.slots()[static_cast<std::size_t>(slot)];
 }
 
 TEST(BakeRules, AnEmptyStackIsFactorsAlone) {
-    const Program program = Program::compile(material_of({}));
+    const Program program = Program::compile(stack_of({}));
     EXPECT_EQ(plan(program, Slot::BaseColor), SlotPlan(SlotConstant{{0.5f, 0.5f, 0.5f, 1.0f}}));
     EXPECT_EQ(plan(program, Slot::MetallicRoughness),
               SlotPlan(SlotConstant{{0.0f, 0.5f, 0.0f, 0.0f}}));
@@ -59,13 +49,13 @@ TEST(BakeRules, ChannelsOfConstantsBecomeFactors) {
     const LayerPtr red = fill(1, Channel::BaseColor, constant(1.0f, 0.0f, 0.0f));
     const LayerPtr half_blue = changed(fill(2, Channel::BaseColor, constant(0.0f, 0.0f, 1.0f)),
                                        [](Layer& layer) { layer.opacity = 0.5f; });
-    const Program program = Program::compile(material_of({red, half_blue}));
+    const Program program = Program::compile(stack_of({red, half_blue}));
     EXPECT_EQ(plan(program, Slot::BaseColor), SlotPlan(SlotConstant{{0.5f, 0.0f, 0.5f, 1.0f}}));
 }
 
 TEST(BakeRules, AnUntouchedImageKeepsItsTexture) {
     const Source color = image(1, ChannelPick::Rgb, ColorSpace::Srgb);
-    const Program program = Program::compile(material_of({fill(1, Channel::BaseColor, color)}));
+    const Program program = Program::compile(stack_of({fill(1, Channel::BaseColor, color)}));
     EXPECT_EQ(plan(program, Slot::BaseColor),
               SlotPlan(SlotImage{.source = std::get<ImageSource>(color)}));
 }
@@ -75,7 +65,7 @@ TEST(BakeRules, AnImageThatIsBlendedIsBaked) {
         fill(1, Channel::BaseColor, image(1, ChannelPick::Rgb, ColorSpace::Srgb));
     const LayerPtr above = changed(fill(2, Channel::BaseColor, constant(1, 1, 1)),
                                    [](Layer& layer) { layer.opacity = 0.1f; });
-    const Program program = Program::compile(material_of({below, above}));
+    const Program program = Program::compile(stack_of({below, above}));
     EXPECT_EQ(plan(program, Slot::BaseColor), SlotPlan(SlotBaked{BakedMap::BaseColor}));
     EXPECT_EQ(maps_of(program), std::vector<BakedMap>{BakedMap::BaseColor});
 }
@@ -83,14 +73,14 @@ TEST(BakeRules, AnImageThatIsBlendedIsBaked) {
 TEST(BakeRules, MetalnessAndRoughnessOfOneImageKeepIt) {
     const LayerPtr rough = fill(1, Channel::Roughness, image(1, ChannelPick::Green));
     const LayerPtr metal = fill(2, Channel::Metalness, image(1, ChannelPick::Blue));
-    const Program program = Program::compile(material_of({rough, metal}));
+    const Program program = Program::compile(stack_of({rough, metal}));
     EXPECT_TRUE(std::holds_alternative<SlotImage>(plan(program, Slot::MetallicRoughness)));
 }
 
 TEST(BakeRules, MetalnessAndRoughnessThatDisagreeAreBaked) {
     const LayerPtr rough = fill(1, Channel::Roughness, image(1, ChannelPick::Green));
     const LayerPtr other = fill(2, Channel::Metalness, image(2, ChannelPick::Blue));
-    const Program program = Program::compile(material_of({rough, other}));
+    const Program program = Program::compile(stack_of({rough, other}));
     EXPECT_EQ(plan(program, Slot::MetallicRoughness),
               SlotPlan(SlotBaked{BakedMap::OcclusionRoughnessMetalness}));
     EXPECT_TRUE(std::holds_alternative<SlotConstant>(plan(program, Slot::Occlusion)));
@@ -98,13 +88,13 @@ TEST(BakeRules, MetalnessAndRoughnessThatDisagreeAreBaked) {
 
 TEST(BakeRules, OcclusionOfAnImageIsUntouchedThoughItsModeIsMultiply) {
     const Program program =
-        Program::compile(material_of({fill(1, Channel::Occlusion, image(1, ChannelPick::Red))}));
+        Program::compile(stack_of({fill(1, Channel::Occlusion, image(1, ChannelPick::Red))}));
     EXPECT_TRUE(std::holds_alternative<SlotImage>(plan(program, Slot::Occlusion)));
 }
 
 TEST(BakeRules, HeightThatVariesIsBakedIntoTheNormalMap) {
     const Program program =
-        Program::compile(material_of({fill(1, Channel::Height, image(1, ChannelPick::Red))}));
+        Program::compile(stack_of({fill(1, Channel::Height, image(1, ChannelPick::Red))}));
     EXPECT_EQ(plan(program, Slot::Normal), SlotPlan(SlotBaked{BakedMap::Normal}));
 }
 
@@ -114,22 +104,22 @@ TEST(Program, LayersThatCannotChangeThePictureLeaveNoTrace) {
     const LayerPtr hidden = changed(other, [](Layer& layer) { layer.visible = false; });
     const LayerPtr faint = changed(other, [](Layer& layer) { layer.opacity = 0.0f; });
     const LayerPtr masked = changed(other, [](Layer& layer) { layer.mask.base = 0.0f; });
-    const Program alone = Program::compile(material_of({shown}));
+    const Program alone = Program::compile(stack_of({shown}));
     for (const LayerPtr& layer : {hidden, faint, masked}) {
-        const Program program = Program::compile(material_of({shown, layer}));
+        const Program program = Program::compile(stack_of({shown, layer}));
         EXPECT_EQ(program.slot_hash(Slot::BaseColor), alone.slot_hash(Slot::BaseColor));
         EXPECT_EQ(program.images(), alone.images());
     }
-    EXPECT_NE(Program::compile(material_of({shown, other})).slot_hash(Slot::BaseColor),
+    EXPECT_NE(Program::compile(stack_of({shown, other})).slot_hash(Slot::BaseColor),
               alone.slot_hash(Slot::BaseColor));
 }
 
 TEST(Program, LayersUnderAnOpaqueOneLeaveNoTrace) {
     const LayerPtr below = fill(1, Channel::BaseColor, image(1, ChannelPick::Rgb));
     const LayerPtr above = fill(2, Channel::BaseColor, image(2, ChannelPick::Rgb));
-    const Program covered = Program::compile(material_of({below, above}));
+    const Program covered = Program::compile(stack_of({below, above}));
     EXPECT_EQ(covered.slot_hash(Slot::BaseColor),
-              Program::compile(material_of({above})).slot_hash(Slot::BaseColor));
+              Program::compile(stack_of({above})).slot_hash(Slot::BaseColor));
     EXPECT_EQ(covered.images(), std::vector<Hash128>{some_image(2)});
 }
 
@@ -137,8 +127,8 @@ TEST(Program, AnEditOfOneChannelLeavesTheOtherSlotsAlone) {
     const LayerPtr color = fill(1, Channel::BaseColor, image(1, ChannelPick::Rgb));
     const LayerPtr rough = fill(2, Channel::Roughness, constant(0.2f, 0, 0));
     const LayerPtr rougher = fill(2, Channel::Roughness, constant(0.3f, 0, 0));
-    const Program before = Program::compile(material_of({color, rough}));
-    const Program after = Program::compile(material_of({color, rougher}));
+    const Program before = Program::compile(stack_of({color, rough}));
+    const Program after = Program::compile(stack_of({color, rougher}));
     EXPECT_EQ(before.slot_hash(Slot::BaseColor), after.slot_hash(Slot::BaseColor));
     EXPECT_NE(before.slot_hash(Slot::MetallicRoughness), after.slot_hash(Slot::MetallicRoughness));
 }

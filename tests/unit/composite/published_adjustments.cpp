@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 
-namespace patina::testing {
-namespace {
+#include "shaders/published_hsv.h"
 
-using Vec3 = glm::dvec3;
+namespace patina::test_support {
+namespace {
 
 double encoded(double x) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
@@ -39,35 +39,18 @@ double curve_at(const std::vector<CurvePoint>& points, double x) {
     return std::clamp(value, 0.0, 1.0);
 }
 
-/// Hue in sixths of a turn, saturation and value.
-Vec3 hsv(const Vec3& c) {
-    const double value = std::max({c.r, c.g, c.b}), chroma = value - std::min({c.r, c.g, c.b});
-    double hue = 0;
-    if (chroma > 0 && value == c.r) hue = std::fmod((c.g - c.b) / chroma + 6, 6.0);
-    if (chroma > 0 && value != c.r && value == c.g) hue = (c.b - c.r) / chroma + 2;
-    if (chroma > 0 && value != c.r && value != c.g) hue = (c.r - c.g) / chroma + 4;
-    return {hue, value > 0 ? chroma / value : 0, value};
-}
-Vec3 rgb(double hue, double saturation, double value) {
-    const auto part = [&](double offset) {
-        const double at = std::fmod(offset + hue + 12, 6.0);
-        return value - value * saturation * std::max(0.0, std::min({at, 4 - at, 1.0}));
-    };
-    return {part(5), part(3), part(1)};
-}
-
 /// The hue turned, the saturation scaled about the middle between the least and the greatest
 /// component, then towards white or black.
-Vec3 hue_saturation(const AdjustmentSettings& a, const Vec3& c) {
-    const Vec3 h = hsv(c);
+glm::dvec3 hue_saturation(const AdjustmentSettings& a, const glm::dvec3& c) {
+    const glm::dvec3 h = hsv_from_rgb(c);
     const double saturation = std::clamp(h.y * (1 + static_cast<double>(a.saturation)), 0.0, 1.0);
-    Vec3 out = rgb(h.x + static_cast<double>(a.hue_degrees) / 60, saturation, h.z);
-    const auto middle = [](const Vec3& v) {
+    glm::dvec3 out = rgb_from_hsv(h.x + static_cast<double>(a.hue_degrees) / 60, saturation, h.z);
+    const auto middle = [](const glm::dvec3& v) {
         return (std::max({v.r, v.g, v.b}) + std::min({v.r, v.g, v.b})) / 2;
     };
     out = glm::clamp(out + (middle(c) - middle(out)), 0.0, 1.0);
     const double light = static_cast<double>(a.lightness);
-    return light >= 0 ? glm::mix(out, Vec3(1), light) : out * (1 + light);
+    return light >= 0 ? glm::mix(out, glm::dvec3(1), light) : out * (1 + light);
 }
 
 double contrasted(const AdjustmentSettings& a, double x) {
@@ -77,12 +60,13 @@ double contrasted(const AdjustmentSettings& a, double x) {
     return std::clamp((moved - 0.5) * slope + 0.5, 0.0, 1.0);
 }
 
-Vec3 gradient_at(const AdjustmentSettings& a, double x, bool is_encoded) {
+glm::dvec3 gradient_at(const AdjustmentSettings& a, double x, bool is_encoded) {
     const auto color = [&](std::size_t i) {
-        const Vec3 value(a.gradient[i].value);
-        return is_encoded ? Vec3(encoded(value.r), encoded(value.g), encoded(value.b)) : value;
+        const glm::dvec3 value(a.gradient[i].value);
+        return is_encoded ? glm::dvec3(encoded(value.r), encoded(value.g), encoded(value.b))
+                          : value;
     };
-    Vec3 value = color(0);
+    glm::dvec3 value = color(0);
     for (std::size_t i = 1; i < a.gradient.size(); ++i) {
         const double from = static_cast<double>(a.gradient[i - 1].position);
         const double width = static_cast<double>(a.gradient[i].position) - from;
@@ -93,9 +77,10 @@ Vec3 gradient_at(const AdjustmentSettings& a, double x, bool is_encoded) {
     return value;
 }
 
-Vec3 adjusted_unit(const AdjustmentSettings& a, bool is_color, const Vec3& value, bool is_encoded) {
+glm::dvec3 adjusted_unit(const AdjustmentSettings& a, bool is_color, const glm::dvec3& value,
+                         bool is_encoded) {
     const auto each = [&](const std::function<double(double)>& change) {
-        return Vec3(change(value.x), change(value.y), change(value.z));
+        return glm::dvec3(change(value.x), change(value.y), change(value.z));
     };
     switch (a.kind) {
         case AdjustmentKind::Levels:
@@ -105,7 +90,7 @@ Vec3 adjusted_unit(const AdjustmentSettings& a, bool is_color, const Vec3& value
         case AdjustmentKind::HueSaturation: {
             AdjustmentSettings own = a;
             if (!is_color) own.hue_degrees = own.saturation = 0;
-            return hue_saturation(own, is_color ? value : Vec3(value.x));
+            return hue_saturation(own, is_color ? value : glm::dvec3(value.x));
         }
         case AdjustmentKind::BrightnessContrast:
             return each([&](double x) { return contrasted(a, x); });
@@ -148,4 +133,4 @@ glm::dvec3 adjusted(const AdjustmentSettings& adjustment, Channel channel, const
     return adjusted_unit(adjustment, kind == ChannelKind::Color, value, gradient_encoded);
 }
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

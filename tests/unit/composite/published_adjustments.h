@@ -8,7 +8,7 @@
 #include "document/adjustment.h"
 #include "document/channel.h"
 
-namespace patina::testing {
+namespace patina::test_support {
 
 double leveled(const Levels& levels, double x);
 
@@ -17,4 +17,4 @@ double leveled(const Levels& levels, double x);
 glm::dvec3 adjusted(const AdjustmentSettings& adjustment, Channel channel, const glm::dvec3& value,
                     bool gradient_encoded);
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

@@ -245,9 +245,9 @@ double Texel::share_by_height(const Layer& layer, const Accumulated& below,
 /// The channel goes over to its adjusted self; what covers stays.
 void Texel::adjust(const Layer& layer, const AdjustmentSettings& adjustment, Channel channel,
                    double weight, Accumulated& below) {
-    const Vec3 changed = testing::adjusted(adjustment, channel, below.value, below.encoded);
+    const Vec3 changed = test_support::adjusted(adjustment, channel, below.value, below.encoded);
     const Vec3 blended =
-        testing::published_blend(effective_blend_mode(layer, channel), below.value, changed);
+        test_support::published_blend(effective_blend_mode(layer, channel), below.value, changed);
     below.value = glm::mix(below.value, blended, weight);
 }
 
@@ -277,7 +277,7 @@ void Texel::lay(const Layer& layer, Channel channel, Sampled source, double weig
         const Vec3 laid = ab > 0 ? normal_laid(mode, below.value, source.value, weight) : Vec3(0);
         below.value = unit(laid * ab + source.value * (weight * (1 - ab)));
     } else {
-        const Vec3 blended = testing::published_blend(mode, below.value, source.value);
+        const Vec3 blended = test_support::published_blend(mode, below.value, source.value);
         below.value = (weight * (1 - ab) * source.value + weight * ab * blended +
                        (1 - weight) * ab * below.value) /
                       ao;
@@ -292,13 +292,13 @@ double Texel::mask(const Mask& mask) const {
         if (!entry.visible) continue;
         double own =
             entry.adjustment
-                ? testing::adjusted(*entry.adjustment, Channel::Opacity, Vec3(value), false).x
+                ? test_support::adjusted(*entry.adjustment, Channel::Opacity, Vec3(value), false).x
                 : sampled(entry.source, ChannelKind::Scalar).value.x;
         if (entry.invert) own = 1 - own;
-        own = testing::leveled(entry.levels, own);
+        own = test_support::leveled(entry.levels, own);
         const double joined = entry.combine == BlendMode::Replace
                                   ? own
-                                  : testing::published_blend(entry.combine, value, own);
+                                  : test_support::published_blend(entry.combine, value, own);
         value = glm::mix(value, joined, static_cast<double>(entry.opacity));
     }
     value = std::clamp(value, 0.0, 1.0);

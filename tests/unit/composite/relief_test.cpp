@@ -13,10 +13,11 @@
 namespace patina {
 namespace {
 
-constexpr int kSize = 48;
+/// Texels a side of the relief.
+constexpr int kReliefSide = 48;
 constexpr double kRadiusTexels = 2.0;
 
-Layer bumps(std::uint32_t seed = 3) {
+Layer hills(std::uint32_t seed = 3) {
     Layer layer{.id = {1}};
     ProceduralSource noise{.seed = seed, .scale = 7.0f};
     noise.ramp = {{0.0f, glm::vec3(-0.4f)}, {1.0f, glm::vec3(0.6f)}};
@@ -26,7 +27,7 @@ Layer bumps(std::uint32_t seed = 3) {
 
 ReliefSource relief(ReliefKind kind, float strength = 5.0f) {
     return {.kind = kind,
-            .radius_permille = static_cast<float>(kRadiusTexels * 1000 / kSize),
+            .radius_permille = static_cast<float>(kRadiusTexels * 1000 / kReliefSide),
             .strength = strength};
 }
 
@@ -40,15 +41,12 @@ Layer masked(ReliefKind kind) {
     return layer;
 }
 
-PixelVector<float> plane(const Material& material, Channel channel) {
-    return plane(material, channel, kSize);
-}
-
 /// The height less its mean around, by a Gaussian of a third of the radius lowered to 0 there.
 double lift(const PixelVector<float>& heights, int x, int y) {
     const auto height = [&](int i, int j) {
-        const auto wrap = [](int k) { return ((k % kSize) + kSize) % kSize; };
-        return static_cast<double>(heights[static_cast<std::size_t>(wrap(j) * kSize + wrap(i))]);
+        const auto wrap = [](int k) { return ((k % kReliefSide) + kReliefSide) % kReliefSide; };
+        return static_cast<double>(
+            heights[static_cast<std::size_t>(wrap(j) * kReliefSide + wrap(i))]);
     };
     const auto weight = [](int j) {
         const double t = 3 * std::abs(j) / kRadiusTexels;
@@ -63,7 +61,7 @@ double lift(const PixelVector<float>& heights, int x, int y) {
     return height(x, y) - sum / total;
 }
 
-double expected(ReliefKind kind, double own, double lifted, double strength) {
+double relief_by_definition(ReliefKind kind, double own, double lifted, double strength) {
     switch (kind) {
         case ReliefKind::Height:
             return std::clamp(0.5 + 0.5 * own * strength, 0.0, 1.0);
@@ -78,21 +76,21 @@ double expected(ReliefKind kind, double own, double lifted, double strength) {
 }
 
 TEST(Relief, AMaskAndAChannelGetWhatTheHeightsBelowAreLike) {
-    const auto heights = plane(stack_of({shared(bumps())}), Channel::Height);
+    const auto heights = plane(stack_of({shared(hills())}), Channel::Height, kReliefSide);
     for (const ReliefKind kind :
          {ReliefKind::Height, ReliefKind::Cavity, ReliefKind::Edge, ReliefKind::Curvature}) {
         Layer layer = masked(kind);
         // Its own heights come after; it is the relief below that counts.
         set(layer, Channel::Height, ConstantSource{glm::vec3(0.5f)});
         set(layer, Channel::Opacity, relief(kind));
-        const Material material = stack_of({shared(bumps()), shared(layer)});
-        const auto metalness = plane(material, Channel::Metalness);
-        const auto opacity = plane(material, Channel::Opacity);
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x) {
-                const auto i = static_cast<std::size_t>(y * kSize + x);
-                const double value =
-                    expected(kind, static_cast<double>(heights[i]), lift(heights, x, y), 5.0);
+        const Material material = stack_of({shared(hills()), shared(layer)});
+        const auto metalness = plane(material, Channel::Metalness, kReliefSide);
+        const auto opacity = plane(material, Channel::Opacity, kReliefSide);
+        for (int y = 0; y < kReliefSide; ++y)
+            for (int x = 0; x < kReliefSide; ++x) {
+                const auto i = static_cast<std::size_t>(y * kReliefSide + x);
+                const double value = relief_by_definition(kind, static_cast<double>(heights[i]),
+                                                          lift(heights, x, y), 5.0);
                 ASSERT_NEAR(static_cast<double>(metalness[i]), value, 1e-5);
                 // Laid by the same mask on an opacity of 1.
                 ASSERT_NEAR(static_cast<double>(opacity[i]), 1 - value + value * value, 2e-5);
@@ -102,7 +100,8 @@ TEST(Relief, AMaskAndAChannelGetWhatTheHeightsBelowAreLike) {
 
 TEST(Relief, WhereAllIsLevelThereIsNoCavityAndNoEdge) {
     for (const ReliefKind kind : {ReliefKind::Cavity, ReliefKind::Edge})
-        for (const float value : plane(stack_of({shared(masked(kind))}), Channel::Metalness))
+        for (const float value :
+             plane(stack_of({shared(masked(kind))}), Channel::Metalness, kReliefSide))
             ASSERT_EQ(value, 0.0f);
 }
 
@@ -110,10 +109,10 @@ TEST(Relief, HeightsThatAreCoveredFurtherUpStillCount) {
     Layer flat{.id = {4}};
     set(flat, Channel::Height, ConstantSource{glm::vec3(0.25f)});
     at(flat.channels, Channel::Height).mode = BlendMode::Replace;
-    EXPECT_EQ(
-        plane(stack_of({shared(bumps()), shared(masked(ReliefKind::Edge)), shared(flat)}),
-              Channel::Metalness),
-        plane(stack_of({shared(bumps()), shared(masked(ReliefKind::Edge))}), Channel::Metalness));
+    EXPECT_EQ(plane(stack_of({shared(hills()), shared(masked(ReliefKind::Edge)), shared(flat)}),
+                    Channel::Metalness, kReliefSide),
+              plane(stack_of({shared(hills()), shared(masked(ReliefKind::Edge))}),
+                    Channel::Metalness, kReliefSide));
 }
 
 /// A clipped layer covers what its base does, though heights have changed between them.
@@ -122,16 +121,16 @@ TEST(Relief, ALayerClippedToAReliefMaskGoesByTheSameRelief) {
     set(base, Channel::Height, ConstantSource{glm::vec3(1.0f)});
     Layer clipped{.id = {5}, .clipped = true};
     set(clipped, Channel::Roughness, ConstantSource{glm::vec3(1.0f)});
-    const Material material = stack_of({shared(bumps()), shared(base), shared(clipped)});
-    const auto metalness = plane(material, Channel::Metalness);
-    const auto roughness = plane(material, Channel::Roughness);
+    const Material material = stack_of({shared(hills()), shared(base), shared(clipped)});
+    const auto metalness = plane(material, Channel::Metalness, kReliefSide);
+    const auto roughness = plane(material, Channel::Roughness, kReliefSide);
     for (std::size_t i = 0; i < metalness.size(); ++i)
         ASSERT_NEAR(roughness[i], 0.5f + 0.5f * metalness[i], 1e-6f);
 }
 
 TEST(Relief, AnotherHeightBelowIsAnotherPicture) {
     const auto hash = [](std::uint32_t seed, Slot slot) {
-        return Program::compile(stack_of({shared(bumps(seed)), shared(masked(ReliefKind::Cavity))}))
+        return Program::compile(stack_of({shared(hills(seed)), shared(masked(ReliefKind::Cavity))}))
             .slot_hash(slot);
     };
     EXPECT_NE(hash(1, Slot::MetallicRoughness), hash(2, Slot::MetallicRoughness));

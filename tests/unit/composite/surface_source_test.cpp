@@ -19,10 +19,11 @@
 namespace patina {
 namespace {
 
-constexpr int kSize = 48;
+/// Texels a side of the maps of a surface.
+constexpr int kSurfaceSide = 48;
 
 std::size_t texel(int x, int y) {
-    return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * kSurfaceSide + static_cast<std::size_t>(x);
 }
 
 /// Two parts side by side in the texture, with room around each.
@@ -85,7 +86,7 @@ Layer smooth_through(const GeometrySource& parts) {
 
 ChannelPlanes planes_on(const UvSurfacePtr& surface, const Layer& layer, Channel channel,
                         ImageTable& images) {
-    return bake_channels(Program::compile(stack_of({shared(layer)}), surface), images, kSize,
+    return bake_channels(Program::compile(stack_of({shared(layer)}), surface), images, kSurfaceSide,
                          {channel})
         .value();
 }
@@ -107,9 +108,9 @@ const Projection kTriPlanar = {.kind = ProjectionKind::TriPlanar};
 
 TEST(GeometryMask, CoversThePartThatIsNamedUpToTheMiddleOfTheRoomBetweenParts) {
     const auto by_part = roughness_on(two_parts(), smooth_through({.meshes = {"Left", "Gone"}}));
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
-            ASSERT_EQ(by_part[texel(x, y)], x < kSize / 2 ? 1.0f : 0.5f) << x << ", " << y;
+    for (int y = 0; y < kSurfaceSide; ++y)
+        for (int x = 0; x < kSurfaceSide; ++x)
+            ASSERT_EQ(by_part[texel(x, y)], x < kSurfaceSide / 2 ? 1.0f : 0.5f) << x << ", " << y;
     const auto by_material = roughness_on(two_parts(), smooth_through({.materials = {"Steel"}}));
     EXPECT_EQ(by_part, by_material);
 }
@@ -172,7 +173,7 @@ TEST(Projection, OnAQuadThatLiesInItsUvsShowsEveryPatternAsItsUvsDo) {
             EXPECT_LE(differing(roughness_on(turned_quad(glm::mat4(1.0f)),
                                              rough(projected(kind, projection))),
                                 expected, 0.01f),
-                      kSize * kSize / 50)
+                      kSurfaceSide * kSurfaceSide / 50)
                 << kProceduralKinds[i].id;
     }
 }
@@ -200,10 +201,11 @@ TEST(Projection, PlanarLooksAlongItsAxisThroughTheModel) {
         const auto back =
             roughness_on(turned_quad(turns[static_cast<std::size_t>(turn + 1)]), layer);
         const bool upright = axis != ProjectionAxis::Y;
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x)
-                ASSERT_NEAR(back[upright ? texel(kSize - 1 - x, y) : texel(x, kSize - 1 - y)],
-                            front[texel(x, y)], 0.01f);
+        for (int y = 0; y < kSurfaceSide; ++y)
+            for (int x = 0; x < kSurfaceSide; ++x)
+                ASSERT_NEAR(
+                    back[upright ? texel(kSurfaceSide - 1 - x, y) : texel(x, kSurfaceSide - 1 - y)],
+                    front[texel(x, y)], 0.01f);
     }
 }
 
@@ -339,9 +341,9 @@ TEST(Projection, AnImageThatIsProjectedIsBakedWhereThereIsAMesh) {
 
 TEST(Dilation, ChangesNoTexelOfAnIslandAndGivesTheOthersThatOfTheNearest) {
     const UvSurfacePtr surface = two_parts();
-    const UvMapPtr map = surface->map(kSize);
-    auto before = std::make_shared<Image>(noise_image(kSize, 4));
-    MapSet maps{.size = kSize};
+    const UvMapPtr map = surface->map(kSurfaceSide);
+    auto before = std::make_shared<Image>(noise_image(kSurfaceSide, 4));
+    MapSet maps{.size = kSurfaceSide};
     maps.maps[0] = before;
     dilate(*surface, maps);
     ASSERT_NE(maps.maps[0], nullptr);
@@ -351,8 +353,8 @@ TEST(Dilation, ChangesNoTexelOfAnIslandAndGivesTheOthersThatOfTheNearest) {
         return value;
     };
     int outside = 0;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kSurfaceSide; ++y)
+        for (int x = 0; x < kSurfaceSide; ++x) {
             const UvMap::Texel from = map->at(x, y);
             if (map->touched(x, y)) {
                 ASSERT_EQ(std::pair(from.x, from.y), std::pair(x, y));
@@ -361,7 +363,7 @@ TEST(Dilation, ChangesNoTexelOfAnIslandAndGivesTheOthersThatOfTheNearest) {
             ASSERT_EQ(pixel(*maps.maps[0], x, y), pixel(*before, from.x, from.y));
         }
     EXPECT_GT(outside, 0);
-    MapSet again{.size = kSize};
+    MapSet again{.size = kSurfaceSide};
     again.maps[0] = maps.maps[0];
     dilate(*surface, again);
     EXPECT_EQ(*again.maps[0], *maps.maps[0]);

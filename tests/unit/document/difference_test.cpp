@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 
 #include <gtest/gtest.h>
-#include <stdexcept>
 
 #include "document/edits.h"
-#include "document/setting.h"
+#include "document/set_by_text.h"
+#include "document/small_layers.h"
 
 namespace patina {
 namespace {
@@ -15,46 +15,31 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-LayerPtr named_layer(std::uint64_t id, const char* name) {
-    Layer layer = value_layer();
-    layer.id = {id};
-    layer.name = name;
-    return std::make_shared<const Layer>(layer);
-}
-
-Document sample() {
+Document worn_document() {
     Material body;
     body.id = {1};
     body.name = "Body";
     Layer group = group_layer();
     group.id = {3};
-    group.content = GroupContent{.children = {named_layer(4, "Rust")}};
-    body.stack = {named_layer(2, "Base"), std::make_shared<const Layer>(group),
-                  named_layer(5, "Dust")};
+    group.content = GroupContent{.children = {shared(named_layer(4, "Rust"))}};
+    body.stack = {shared(named_layer(2, "Base")), shared(group), shared(named_layer(5, "Dust"))};
     Document document;
     document.materials = {std::make_shared<const Material>(body)};
     document.next_id = 6;
     return document;
 }
 
-Document set(const Document& before, std::string_view text) {
-    const auto setting = setting_from_text(text);
-    if (!setting) throw std::runtime_error(setting.error().message);
-    const auto after = with_setting(before, *setting);
-    if (!after) throw std::runtime_error(after.error().message);
-    return *after;
-}
-
 TEST(DocumentDifference, OfADocumentAndItselfIsNothing) {
-    EXPECT_THAT(differences(sample(), sample()), IsEmpty());
+    EXPECT_THAT(differences(worn_document(), worn_document()), IsEmpty());
 }
 
 TEST(DocumentDifference, SaysWhichValueOfWhichLayerDiffersAndHow) {
     const Document after =
-        set(set(set(sample(), "Body/Rust/opacity=0.5"), "Body/Rust/roughness/opacity=0.25"),
-            "Body/resolution=1024");
+        set_by_text(set_by_text(set_by_text(worn_document(), "Body/Rust/opacity=0.5"),
+                                "Body/Rust/roughness/opacity=0.25"),
+                    "Body/resolution=1024");
     EXPECT_THAT(
-        differences(sample(), after),
+        differences(worn_document(), after),
         ElementsAre(Difference{"Body", "", "resolution is 1024, was 2048"},
                     Difference{"Body", "Group / Rust", "opacity is 0.5, was 1"},
                     Difference{"Body", "Group / Rust", "roughness opacity is 0.25, was 1"}));
@@ -62,14 +47,14 @@ TEST(DocumentDifference, SaysWhichValueOfWhichLayerDiffersAndHow) {
 
 TEST(DocumentDifference, SaysTheTablesValueOfWhatOneSideDoesNotWrite) {
     const Document procedural =
-        set(sample(), R"(Body/Base/roughness={"kind": "perlin-noise", "scale": 8})");
+        set_by_text(worn_document(), R"(Body/Base/roughness={"kind": "perlin-noise", "scale": 8})");
     Document after = procedural;
     for (const char* text :
          {"Body/Base/roughness/scale=24", "Body/Base/roughness/transform/rotation=30",
           "Body/Base/roughness/projection={\"kind\": \"planar\"}", "Body/Base/mode=multiply",
           "Body/Base/visible=false", "Body/Base/height-blend={}", "Body/Base/mask/base=0.25",
           "Body/Base/metalness/enabled=false", "Body/alpha-mode=blend"})
-        after = set(after, text);
+        after = set_by_text(after, text);
     EXPECT_THAT(
         differences(procedural, after),
         testing::UnorderedElementsAre(
@@ -85,27 +70,27 @@ TEST(DocumentDifference, SaysTheTablesValueOfWhatOneSideDoesNotWrite) {
 }
 
 TEST(DocumentDifference, NamesWhatIsNewWhatIsGoneAndWhatHasMoved) {
-    Document after = sample();
+    Document after = worn_document();
     Material body = *after.materials[0];
-    body.stack = {body.stack[2], body.stack[0], named_layer(9, "Scratches")};
+    body.stack = {body.stack[2], body.stack[0], shared(named_layer(9, "Scratches"))};
     after.materials[0] = std::make_shared<const Material>(body);
-    EXPECT_THAT(differences(sample(), after),
+    EXPECT_THAT(differences(worn_document(), after),
                 ElementsAre(Difference{"Body", "Scratches", "is new"},
                             Difference{"Body", "Base", "has moved in the stack"},
                             Difference{"Body", "Group", "is gone"}));
 }
 
 TEST(DocumentDifference, DoesNotLookAtIds) {
-    Document after = sample();
+    Document after = worn_document();
     Material body = *after.materials[0];
     body.id = {77};
     for (LayerPtr& layer : body.stack) {
         Layer copy = *layer;
         copy.id.value += 100;
-        layer = std::make_shared<const Layer>(copy);
+        layer = shared(copy);
     }
     after.materials[0] = std::make_shared<const Material>(body);
-    EXPECT_THAT(differences(sample(), after), IsEmpty());
+    EXPECT_THAT(differences(worn_document(), after), IsEmpty());
 }
 
 }  // namespace

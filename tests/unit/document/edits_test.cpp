@@ -16,12 +16,12 @@
 namespace patina {
 namespace {
 
-using testing::all_ids;
-using testing::all_layers;
-using testing::Choices;
-using testing::random_edit;
-using testing::sample_document;
-using testing::sample_image;
+using test_support::all_ids;
+using test_support::all_layers;
+using test_support::Choices;
+using test_support::random_edit;
+using test_support::sample_document;
+using test_support::sample_image;
 
 /// The document, its first material and the layers of the sample by name.
 struct Sample {

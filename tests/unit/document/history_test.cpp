@@ -13,9 +13,9 @@
 namespace patina {
 namespace {
 
-using testing::Choices;
-using testing::random_edit;
-using testing::sample_document;
+using test_support::Choices;
+using test_support::random_edit;
+using test_support::sample_document;
 
 DocumentPtr opened() {
     return std::make_shared<const Document>(sample_document());
@@ -114,7 +114,7 @@ TEST(History, AnEditThatChangesNothingMakesNoStep) {
     ASSERT_TRUE(history.apply(opacity_of_top(history, 1.0f)));
     ASSERT_TRUE(
         history.apply(move_layer(material, *material.stack[0], below(material.stack[1]->id))));
-    ASSERT_TRUE(history.apply(add_image(testing::sample_image())));
+    ASSERT_TRUE(history.apply(add_image(test_support::sample_image())));
     EXPECT_EQ(history.document(), before);
     EXPECT_EQ(history.labels().size(), 1u);
 }

@@ -6,12 +6,12 @@
 #include <regex>
 #include <set>
 
-namespace patina::testing {
+#include "core/json.h"
+
+namespace patina::test_support {
 namespace {
 
-using Json = nlohmann::json;
-
-bool has_type(const Json& value, const std::string& type) {
+bool has_type(const SortedJson& value, const std::string& type) {
     if (type == "object") return value.is_object();
     if (type == "array") return value.is_array();
     if (type == "string") return value.is_string();
@@ -39,11 +39,11 @@ bool keyword_is_known(const std::string& keyword) {
 }
 
 /// Keywords that look at numbers, texts and whole values.
-std::string plain_fault(const Json& schema, const Json& value) {
+std::string plain_fault(const SortedJson& schema, const SortedJson& value) {
     if (schema.contains("type") && !has_type(value, schema["type"])) return "has the wrong type";
     if (schema.contains("const") && value != schema["const"]) return "is not the constant";
     if (schema.contains("enum")) {
-        const Json& allowed = schema["enum"];
+        const SortedJson& allowed = schema["enum"];
         if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
             return "is none of " + allowed.dump();
     }
@@ -63,7 +63,7 @@ std::string plain_fault(const Json& schema, const Json& value) {
     return "";
 }
 
-std::string array_fault(const Json& root, const Json& schema, const Json& value,
+std::string array_fault(const SortedJson& root, const SortedJson& schema, const SortedJson& value,
                         const std::string& pointer) {
     if (schema.contains("minItems") && value.size() < schema["minItems"])
         return "has too few items";
@@ -78,13 +78,13 @@ std::string array_fault(const Json& root, const Json& schema, const Json& value,
     return "";
 }
 
-std::string object_fault(const Json& root, const Json& schema, const Json& value,
+std::string object_fault(const SortedJson& root, const SortedJson& schema, const SortedJson& value,
                          const std::string& pointer) {
-    for (const Json& key : schema.value("required", Json::array()))
+    for (const SortedJson& key : schema.value("required", SortedJson::array()))
         if (!value.contains(key.get<std::string>())) return "lacks " + key.get<std::string>();
-    const Json properties = schema.value("properties", Json::object());
+    const SortedJson properties = schema.value("properties", SortedJson::object());
     for (const auto& [key, member] : value.items()) {
-        const Json* rule = nullptr;
+        const SortedJson* rule = nullptr;
         if (properties.contains(key))
             rule = &properties[key];
         else if (schema.contains("additionalProperties"))
@@ -97,10 +97,10 @@ std::string object_fault(const Json& root, const Json& schema, const Json& value
     return "";
 }
 
-std::string any_of_fault(const Json& root, const Json& schema, const Json& value,
+std::string any_of_fault(const SortedJson& root, const SortedJson& schema, const SortedJson& value,
                          const std::string& pointer) {
     std::string last;
-    for (const Json& choice : schema["anyOf"]) {
+    for (const SortedJson& choice : schema["anyOf"]) {
         last = schema_fault(root, choice, value, pointer);
         if (last.empty()) return "";
     }
@@ -109,14 +109,14 @@ std::string any_of_fault(const Json& root, const Json& schema, const Json& value
 
 }  // namespace
 
-std::string schema_fault(const Json& root, const Json& schema, const Json& value,
+std::string schema_fault(const SortedJson& root, const SortedJson& schema, const SortedJson& value,
                          const std::string& pointer) {
     for (const auto& [keyword, unused] : schema.items())
         if (!keyword_is_known(keyword)) return "the validator does not know " + keyword;
     std::string fault;
     if (schema.contains("$ref")) {
         const std::string target = schema["$ref"].get<std::string>().substr(1);
-        fault = schema_fault(root, root.at(Json::json_pointer(target)), value, pointer);
+        fault = schema_fault(root, root.at(SortedJson::json_pointer(target)), value, pointer);
         if (!fault.empty()) return fault;
     }
     fault = plain_fault(schema, value);
@@ -128,4 +128,4 @@ std::string schema_fault(const Json& root, const Json& schema, const Json& value
     return pointer + "/ " + fault;
 }
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

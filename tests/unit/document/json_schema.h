@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace patina::testing {
+namespace patina::test_support {
 
 /// The first fault as "POINTER: reason", or empty when `value` is valid against `schema`, a part of
 /// `root` (which $ref looks up).
 std::string schema_fault(const nlohmann::json& root, const nlohmann::json& schema,
                          const nlohmann::json& value, const std::string& pointer = "");
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

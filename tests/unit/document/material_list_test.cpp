@@ -8,7 +8,7 @@
 #include "document/record.h"
 #include "unit/document/sample_document.h"
 
-namespace patina::testing {
+namespace patina::test_support {
 namespace {
 
 Document with(const Document& before, const Edit& edit) {
@@ -99,4 +99,4 @@ TEST(MaterialList, AnAssignmentIsAStepOfTheHistoryAndOfTheComparedText) {
 }
 
 }  // namespace
-}  // namespace patina::testing
+}  // namespace patina::test_support

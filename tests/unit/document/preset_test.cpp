@@ -16,16 +16,12 @@ namespace patina {
 namespace {
 
 using nlohmann::json;
-using testing::schema_fault;
+using test_support::schema_fault;
 
 const std::filesystem::path kFolder = std::filesystem::path(PATINA_SOURCE_DIR) / "presets";
 
-std::string text_of(const std::filesystem::path& path) {
-    return read_text_file(path).value();
-}
-
 const json& schema() {
-    static const json parsed = json::parse(text_of(kFolder / "schema.json"));
+    static const json parsed = json::parse(read_text_file(kFolder / "schema.json").value());
     return parsed;
 }
 
@@ -38,7 +34,7 @@ std::vector<std::filesystem::path> shipped_presets() {
 }
 
 const std::string& rusted_iron() {
-    static const std::string text = text_of(kFolder / "rusted-iron.json");
+    static const std::string text = read_text_file(kFolder / "rusted-iron.json").value();
     return text;
 }
 
@@ -55,7 +51,7 @@ Verdict verdict(const json& preset) {
 TEST(Preset, ThoseThatShipAreReadAndValidAgainstTheSchema) {
     std::set<std::string> names;
     for (const auto& path : shipped_presets()) {
-        const std::string text = text_of(path);
+        const std::string text = read_text_file(path).value();
         const Result<Preset> preset = preset_from_json(text, path.string());
         ASSERT_TRUE(preset) << preset.error().message;
         EXPECT_EQ(preset->id, path.stem());
@@ -71,7 +67,7 @@ TEST(Preset, ThoseThatShipAreReadAndValidAgainstTheSchema) {
 TEST(Preset, KnobsOfThoseThatShipStandWhereTheLayersAreAndChangeThemWhenTurned) {
     int knobs = 0;
     for (const auto& path : shipped_presets()) {
-        const Preset preset = preset_from_json(text_of(path), "").value();
+        const Preset preset = preset_from_json(read_text_file(path).value(), "").value();
         const auto text_with = [&](float value, const PresetKnob& knob) {
             Preset turned = preset;
             turned.layers = turned_layers(preset, {{knob.id, value}}).value();
@@ -106,17 +102,17 @@ TEST(Preset, AKnobThatIsNotThereOrTurnedTooFarOrMovesNoNumberIsRefused) {
 
 TEST(Preset, ThoseThatShipAreWrittenAsPatinaWritesThem) {
     for (const auto& path : shipped_presets()) {
-        const std::string text = text_of(path);
+        const std::string text = read_text_file(path).value();
         EXPECT_EQ(preset_to_json(preset_from_json(text, "").value()), text) << path;
     }
 }
 
 TEST(Preset, WhateverLayersADocumentHoldsMakeAValidPreset) {
     const bool holds = rc::check([](const std::vector<std::uint32_t>& numbers) {
-        Document document = testing::sample_document();
-        testing::Choices choices(numbers);
+        Document document = test_support::sample_document();
+        test_support::Choices choices(numbers);
         while (!choices.used_up())
-            if (auto after = testing::random_edit(document, choices).apply(document))
+            if (auto after = test_support::random_edit(document, choices).apply(document))
                 document = *after;
         Preset preset;
         preset.id = "any-layers";
@@ -134,7 +130,7 @@ TEST(Preset, WhateverLayersADocumentHoldsMakeAValidPreset) {
 }
 
 TEST(Preset, RecordsAreValidAgainstTheSchemaToo) {
-    const Document document = testing::sample_document();
+    const Document document = test_support::sample_document();
     const json& of_materials = schema()["$defs"]["material-record"];
     for (const MaterialPtr& material : document.materials) {
         MaterialRecord record = material_record(document, *material);
@@ -229,9 +225,9 @@ TEST(Preset, AFaultNamesTheFileAndTheJsonPointer) {
 }
 
 TEST(Preset, ThoseThatShipAreAcceptedByAMaterial) {
-    const Document document = testing::sample_document();
+    const Document document = test_support::sample_document();
     for (const auto& path : shipped_presets()) {
-        const Preset preset = preset_from_json(text_of(path), "").value();
+        const Preset preset = preset_from_json(read_text_file(path).value(), "").value();
         const auto after =
             add_layers(*document.materials.front(), preset.layers, top_of_stack(), "Preset")
                 .apply(document);

@@ -13,9 +13,9 @@
 namespace patina {
 namespace {
 
-using testing::Choices;
-using testing::random_edit;
-using testing::sample_document;
+using test_support::Choices;
+using test_support::random_edit;
+using test_support::sample_document;
 
 /// The sample after random edits, refused ones left out.
 Document edited_document(const std::vector<std::uint32_t>& numbers) {
@@ -109,7 +109,7 @@ TEST(Record, BakedAndOwnedImagesAndStandInsSurvive) {
     record.id = MaterialId{3};
     record.baked["base-color"] = hash_text("baked");
     record.owned_images = {hash_text("one"), hash_text("two")};
-    record.images = {record_image(*testing::sample_image())};
+    record.images = {record_image(*test_support::sample_image())};
     const auto read = material_record_from_json(to_json(record));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->baked, record.baked);
@@ -280,7 +280,7 @@ TEST(Record, ACopiedMaterialGetsIdsOfItsOwnAndTheFirstKeepsIts) {
     EXPECT_EQ(unique.materials[0], document.materials[0]);
     EXPECT_EQ(unique.materials[1], document.materials[1]);
     EXPECT_NE(unique.materials[2]->id, document.materials[0]->id);
-    std::vector<std::uint64_t> ids = testing::all_ids(unique);
+    std::vector<std::uint64_t> ids = test_support::all_ids(unique);
     for (const MaterialPtr& material : unique.materials) ids.push_back(material->id.value);
     std::sort(ids.begin(), ids.end());
     EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
@@ -290,7 +290,7 @@ TEST(Record, ACopiedMaterialGetsIdsOfItsOwnAndTheFirstKeepsIts) {
 TEST(Record, ImagesOfAStackAreListedOnceGroupsAndMasksIncluded) {
     const Document document = sample_document();
     EXPECT_EQ(images_of(document.materials.front()->stack),
-              std::vector<Hash128>{testing::sample_image()->hash});
+              std::vector<Hash128>{test_support::sample_image()->hash});
     EXPECT_TRUE(images_of(document.materials.back()->stack).empty());
 }
 

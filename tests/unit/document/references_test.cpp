@@ -9,6 +9,7 @@
 #include "document/preset.h"
 #include "document/record.h"
 #include "document/setting.h"
+#include "document/small_layers.h"
 
 namespace patina {
 namespace {
@@ -16,19 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Layer fill(std::uint64_t id, std::string name) {
-    Layer layer = value_layer();
-    layer.id = {id};
-    layer.name = std::move(name);
-    return layer;
-}
-
 void read(Layer& layer, std::uint64_t other, LayerResult result = LayerResult::Roughness) {
     at(layer.channels, Channel::Roughness).source = ReferenceSource{{other}, result};
-}
-
-LayerPtr shared(Layer layer) {
-    return std::make_shared<const Layer>(std::move(layer));
 }
 
 LayerPtr group(std::uint64_t id, std::string name, std::vector<LayerPtr> children) {
@@ -39,7 +29,7 @@ LayerPtr group(std::uint64_t id, std::string name, std::vector<LayerPtr> childre
     return shared(layer);
 }
 
-Document with(std::vector<LayerPtr> stack) {
+Document document_of(std::vector<LayerPtr> stack) {
     Material material;
     material.id = {100};
     material.name = "Body";
@@ -68,17 +58,17 @@ std::vector<std::string> names(const std::vector<LayerPtr>& layers) {
 }
 
 /// A reads B; G holds A; C and D lie beside it, D clipped to C.
-Document sample() {
-    Layer a = fill(1, "A");
+Document referring_document() {
+    Layer a = named_layer(1, "A");
     read(a, 2);
-    Layer d = fill(4, "D");
+    Layer d = named_layer(4, "D");
     d.clipped = true;
-    return with(
-        {group(5, "G", {shared(a)}), shared(fill(2, "B")), shared(fill(3, "C")), shared(d)});
+    return document_of({group(5, "G", {shared(a)}), shared(named_layer(2, "B")),
+                        shared(named_layer(3, "C")), shared(d)});
 }
 
 TEST(References, AreRefusedWhereALayerWouldDependOnItself) {
-    const Document document = sample();
+    const Document document = referring_document();
     const auto refusal = [&](std::uint64_t from, std::uint64_t to) {
         const auto after = refer(document, from, to).apply(document);
         return after ? std::string() : after.error().message;
@@ -94,20 +84,20 @@ TEST(References, AreRefusedWhereALayerWouldDependOnItself) {
 }
 
 TEST(References, AreRefusedWhereMovingOrClippingWouldCloseACycle) {
-    Layer c = fill(3, "C");
+    Layer c = named_layer(3, "C");
     read(c, 4);
-    const Document document = with({shared(c), shared(fill(4, "D"))});
+    const Document document = document_of({shared(c), shared(named_layer(4, "D"))});
     const Material& material = material_of(document);
     const Layer& d = *find_layer(material, {4});
     EXPECT_FALSE(set_layer_clipped(material, d, true).apply(document));
     Layer reader = d;
     read(reader, 5);
-    const Document grouped = with({group(5, "G", {}), shared(reader)});
+    const Document grouped = document_of({group(5, "G", {}), shared(reader)});
     EXPECT_FALSE(move_layer(material_of(grouped), d, top_of_group({5})).apply(grouped));
 }
 
 TEST(References, OffersTheLayersThatMakeNoCycle) {
-    const Document document = sample();
+    const Document document = referring_document();
     const auto offered = [&](std::uint64_t reader) {
         return names(referable_layers(material_of(document).stack, {reader}));
     };
@@ -122,7 +112,7 @@ TEST(References, OffersTheLayersThatMakeNoCycle) {
 }
 
 TEST(References, AreNormalsForNormalsAndAllElseForAllElse) {
-    const Document document = sample();
+    const Document document = referring_document();
     const Material& material = material_of(document);
     const auto reads = [&](Channel channel, LayerResult result) {
         return set_source(source_place(material, *find_layer(material, {3}), channel),
@@ -139,9 +129,9 @@ TEST(References, AreNormalsForNormalsAndAllElseForAllElse) {
 
 TEST(References, TooManyOfThemAreRefused) {
     // Each layer reads the one below it eight times.
-    std::vector<LayerPtr> stack = {shared(fill(1, "1"))};
+    std::vector<LayerPtr> stack = {shared(named_layer(1, "1"))};
     for (std::uint64_t id = 2; id <= 8; ++id) {
-        Layer layer = fill(id, std::to_string(id));
+        Layer layer = named_layer(id, std::to_string(id));
         for (int i = 0; i < 8; ++i)
             layer.mask.entries.push_back({.id = {50 * id + static_cast<std::uint64_t>(i)},
                                           .name = "entry",
@@ -156,11 +146,11 @@ TEST(References, TooManyOfThemAreRefused) {
 }
 
 TEST(References, StayAmongCopiesOfTheLayersAndLeadOutOfThemAsBefore) {
-    Layer a = fill(1, "A"), b = fill(2, "B"), c = fill(3, "C");
+    Layer a = named_layer(1, "A"), b = named_layer(2, "B"), c = named_layer(3, "C");
     read(b, 1);
     read(c, 9);
-    Document document =
-        with({shared(fill(9, "Out")), group(5, "G", {shared(a), shared(b), shared(c)})});
+    Document document = document_of(
+        {shared(named_layer(9, "Out")), group(5, "G", {shared(a), shared(b), shared(c)})});
     const Material& material = material_of(document);
     document = duplicate_layer(material, *find_layer(material, {5})).apply(document).value();
     const LayerPtr copy = material_of(document).stack.back();
@@ -174,10 +164,10 @@ TEST(References, StayAmongCopiesOfTheLayersAndLeadOutOfThemAsBefore) {
 }
 
 TEST(References, OfPastedLayersMeanTheLayersOfTheSameNamesOrNothing) {
-    Layer c = fill(3, "C");
+    Layer c = named_layer(3, "C");
     read(c, 9);
     c.mask.entries.push_back({.id = {20}, .name = "Of nine", .source = ReferenceSource{{9}}});
-    const Document from = with({shared(fill(9, "Out")), shared(c)});
+    const Document from = document_of({shared(named_layer(9, "Out")), shared(c)});
     const std::vector<LayerPtr>& stack = material_of(from).stack;
     const std::string text = copied_layers({stack[1]}, stack);
     const auto pasted_into = [&](const Document& document) {
@@ -190,17 +180,18 @@ TEST(References, OfPastedLayersMeanTheLayersOfTheSameNamesOrNothing) {
     };
     // Where it was, and where the number means another layer.
     EXPECT_EQ(std::get<ReferenceSource>(roughness(pasted_into(from)).source).layer, LayerId{9});
-    const LayerPtr there = pasted_into(with({shared(fill(9, "Other")), shared(fill(4, "Out"))}));
+    const LayerPtr there =
+        pasted_into(document_of({shared(named_layer(9, "Other")), shared(named_layer(4, "Out"))}));
     EXPECT_EQ(std::get<ReferenceSource>(roughness(there).source).layer, LayerId{4});
     EXPECT_EQ(std::get<ReferenceSource>(there->mask.entries.at(0).source).layer, LayerId{4});
-    const LayerPtr nowhere = pasted_into(with({shared(fill(9, "Other"))}));
+    const LayerPtr nowhere = pasted_into(document_of({shared(named_layer(9, "Other"))}));
     EXPECT_FALSE(roughness(nowhere).enabled);
     EXPECT_TRUE(std::holds_alternative<ConstantSource>(roughness(nowhere).source));
     EXPECT_TRUE(nowhere->mask.entries.empty());
 }
 
 TEST(References, SurviveTheRecordAndAPreset) {
-    const Document document = sample();
+    const Document document = referring_document();
     const Material& material = material_of(document);
     const auto record = material_record_from_json(to_json(material_record(document, material)));
     ASSERT_TRUE(record.has_value());
@@ -218,7 +209,7 @@ TEST(References, SurviveTheRecordAndAPreset) {
 }
 
 TEST(References, ACycleInAFileIsNamed) {
-    Layer a = fill(1, "A"), b = fill(2, "B");
+    Layer a = named_layer(1, "A"), b = named_layer(2, "B");
     read(a, 2);
     read(b, 1);
     MaterialRecord made;
@@ -230,7 +221,7 @@ TEST(References, ACycleInAFileIsNamed) {
 }
 
 TEST(References, TheCommandLineNamesTheLayer) {
-    const Document document = sample();
+    const Document document = referring_document();
     const auto set = [&](std::string_view text) {
         return with_setting(document, setting_from_text(text).value());
     };

@@ -6,13 +6,10 @@
 #include <limits>
 
 #include "document/preset.h"
+#include "document/small_layers.h"
 
-namespace patina::testing {
+namespace patina::test_support {
 namespace {
-
-LayerPtr shared(Layer layer) {
-    return std::make_shared<const Layer>(std::move(layer));
-}
 
 Layer named(Layer layer, std::string name, std::uint64_t id) {
     layer.name = std::move(name);
@@ -564,4 +561,4 @@ std::vector<std::uint64_t> all_ids(const Document& document) {
     return ids;
 }
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

@@ -8,7 +8,7 @@
 
 #include "document/edits.h"
 
-namespace patina::testing {
+namespace patina::test_support {
 
 /// Two materials with fills, a masked one, a group with a group in it, one image, one light, and a
 /// mesh of two parts, each with one of the materials.
@@ -45,4 +45,4 @@ std::vector<LayerPtr> all_layers(const std::vector<LayerPtr>& stack);
 /// Every id of layers and mask entries in the document.
 std::vector<std::uint64_t> all_ids(const Document& document);
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

@@ -6,6 +6,7 @@
 
 #include "document/edits.h"
 #include "document/parameters.h"
+#include "document/set_by_text.h"
 
 namespace patina {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 /// A material "Body" with a layer "Rust" (roughness a noise, a mask entry "Edges") in a group.
-Document sample() {
+Document rusty_document() {
     Layer rust = procedural_layer(ProceduralKind::PerlinNoise);
     rust.id = {3};
     rust.name = "Rust";
@@ -38,50 +39,47 @@ const Layer& rust_of(const Document& document) {
     return *std::get<GroupContent>(document.materials[0]->stack[0]->content).children[0];
 }
 
-Document set(std::string_view text) {
-    const auto setting = setting_from_text(text);
-    EXPECT_TRUE(setting.has_value()) << text;
-    auto document = with_setting(sample(), *setting);
-    EXPECT_TRUE(document.has_value()) << document.error().message;
-    return *document;
+Document rusty_after(std::string_view text) {
+    return set_by_text(rusty_document(), text);
 }
 
 std::string refusal(std::string_view text) {
     const auto setting = setting_from_text(text);
     if (!setting) return setting.error().message;
-    const auto document = with_setting(sample(), *setting);
+    const auto document = with_setting(rusty_document(), *setting);
     EXPECT_FALSE(document.has_value()) << text;
     return document ? "" : document.error().message;
 }
 
 TEST(Setting, ReachesTheLayerItsChannelsItsSourcesAndItsMask) {
-    EXPECT_EQ(rust_of(set("Body/Rust/opacity=0.5")).opacity, 0.5f);
-    EXPECT_EQ(rust_of(set("Body/Rust/mode=multiply")).mode, BlendMode::Multiply);
-    EXPECT_FALSE(rust_of(set("Body/Rust/visible=off")).visible);
+    EXPECT_EQ(rust_of(rusty_after("Body/Rust/opacity=0.5")).opacity, 0.5f);
+    EXPECT_EQ(rust_of(rusty_after("Body/Rust/mode=multiply")).mode, BlendMode::Multiply);
+    EXPECT_FALSE(rust_of(rusty_after("Body/Rust/visible=off")).visible);
     const auto channel = [](const Document& document, Channel which) {
         return at(rust_of(document).channels, which);
     };
-    EXPECT_EQ(channel(set("Body/Rust/roughness/opacity=0.25"), Channel::Roughness).opacity, 0.25f);
-    const auto scaled = channel(set("*/Rust/roughness/scale=24"), Channel::Roughness);
+    EXPECT_EQ(channel(rusty_after("Body/Rust/roughness/opacity=0.25"), Channel::Roughness).opacity,
+              0.25f);
+    const auto scaled = channel(rusty_after("*/Rust/roughness/scale=24"), Channel::Roughness);
     EXPECT_EQ(std::get<ProceduralSource>(scaled.source).scale, 24.0f);
     const auto turned =
-        channel(set("Body/Rust/roughness/transform/rotation=90"), Channel::Roughness);
+        channel(rusty_after("Body/Rust/roughness/transform/rotation=90"), Channel::Roughness);
     EXPECT_EQ(std::get<ProceduralSource>(turned.source).transform.rotation_degrees, 90.0f);
-    const auto metal = channel(set("Body/Rust/metalness=1"), Channel::Metalness);
+    const auto metal = channel(rusty_after("Body/Rust/metalness=1"), Channel::Metalness);
     EXPECT_TRUE(metal.enabled);
     EXPECT_EQ(std::get<ConstantSource>(metal.source).value.x, 1.0f);
-    const auto clear = channel(set("Body/Rust/opacity/source=0.5"), Channel::Opacity);
+    const auto clear = channel(rusty_after("Body/Rust/opacity/source=0.5"), Channel::Opacity);
     EXPECT_EQ(std::get<ConstantSource>(clear.source).value.x, 0.5f);
-    const Document masked = set("Body/Rust/mask/base=0");
+    const Document masked = rusty_after("Body/Rust/mask/base=0");
     EXPECT_EQ(rust_of(masked).mask.base, 0.0f);
-    const Document gamma = set("Body/Rust/mask/Edges/levels/gamma=2");
+    const Document gamma = rusty_after("Body/Rust/mask/Edges/levels/gamma=2");
     EXPECT_EQ(rust_of(gamma).mask.entries[0].levels.gamma, 2.0f);
-    const Document entry = set("Body/Rust/mask/Edges/seed=7");
+    const Document entry = rusty_after("Body/Rust/mask/Edges/seed=7");
     EXPECT_EQ(std::get<ProceduralSource>(rust_of(entry).mask.entries[0].source).seed, 7u);
 }
 
 TEST(Setting, ReachesTheNumbersOfAnAdjustmentOfAMask) {
-    Document document = sample();
+    Document document = rusty_document();
     Layer rust = rust_of(document);
     rust.mask.entries.push_back(adjustment_mask_entry(AdjustmentKind::BrightnessContrast));
     rust.mask.entries.back().id = {5};
@@ -105,7 +103,7 @@ TEST(Setting, ReachesTheNumbersOfAnAdjustmentOfAMask) {
 
 TEST(Setting, TakesColoursAsArtistsWriteThem) {
     const auto color = [](std::string_view text) {
-        const Document document = set(text);
+        const Document document = rusty_after(text);
         return std::get<ConstantSource>(at(rust_of(document).channels, Channel::BaseColor).source)
             .value;
     };
@@ -116,9 +114,9 @@ TEST(Setting, TakesColoursAsArtistsWriteThem) {
 }
 
 TEST(Setting, ReachesTheMaterial) {
-    EXPECT_EQ(set("Body/resolution=1024").materials[0]->resolution, 1024);
-    EXPECT_EQ(set("Body/alpha-mode=blend").materials[0]->alpha_mode, AlphaMode::Blend);
-    EXPECT_EQ(set("Body/ior=1.33").materials[0]->ior, 1.33f);
+    EXPECT_EQ(rusty_after("Body/resolution=1024").materials[0]->resolution, 1024);
+    EXPECT_EQ(rusty_after("Body/alpha-mode=blend").materials[0]->alpha_mode, AlphaMode::Blend);
+    EXPECT_EQ(rusty_after("Body/ior=1.33").materials[0]->ior, 1.33f);
     for (const ParameterInfo& parameter : parameters()) {
         if (parameter.subject != Subject::Material) continue;
         EXPECT_THAT(refusal(fmt::format("Body/{}={{}}", parameter.id)), HasSubstr("kind of value"))
@@ -127,7 +125,7 @@ TEST(Setting, ReachesTheMaterial) {
 }
 
 TEST(Setting, ChangesNothingElse) {
-    const Document before = sample();
+    const Document before = rusty_document();
     const auto after = with_setting(before, *setting_from_text("Body/Rust/opacity=0.5"));
     ASSERT_TRUE(after.has_value());
     Layer back = rust_of(*after);

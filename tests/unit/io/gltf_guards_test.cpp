@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/json.h"
 #include "io/load.h"
 #include "sample_gltf.h"
 
 namespace patina::io {
 namespace {
 
-using test::Json;
 using testing::HasSubstr;
 
 TEST(GltfGuards, LetAFileThatHoldsOneOfEverythingPass) {
@@ -22,7 +22,7 @@ TEST(GltfGuards, LetAFileThatHoldsOneOfEverythingPass) {
 
 struct Breach {
     const char* pointer;  ///< of the member that is replaced or added
-    Json value;
+    SortedJson value;
     const char* named;  ///< what the message must contain
 };
 
@@ -30,7 +30,7 @@ class GltfBreach : public testing::TestWithParam<Breach> {};
 
 TEST_P(GltfBreach, IsRefusedWithOneLineThatNamesThePlace) {
     auto sample = test::sample_gltf();
-    sample.json[Json::json_pointer(GetParam().pointer)] = GetParam().value;
+    sample.json[SortedJson::json_pointer(GetParam().pointer)] = GetParam().value;
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_FALSE(loaded.has_value());
     const std::string& message = loaded.error().message;
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breach{"/meshes/0/primitives/0/indices", 0, "/meshes/0/primitives/0/indices"},
         Breach{"/meshes/0/primitives/0/mode", 7, "/meshes/0/primitives/0/mode"},
         Breach{"/skins/0/joints", {0, 2}, "/skins/0/inverseBindMatrices"},
-        Breach{"/skins/0/joints", Json::array(), "/skins/0/joints"}));
+        Breach{"/skins/0/joints", SortedJson::array(), "/skins/0/joints"}));
 
 INSTANTIATE_TEST_SUITE_P(
     TreesAndVersions, GltfBreach,
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breach{"/asset/version", "2.0 ", "/asset/version"},
         Breach{"/asset/version", 2, "/asset/version"},
         Breach{"/asset/minVersion", "2.1", "/asset/minVersion"},
-        Breach{"/asset", Json::array(), "/asset"},
+        Breach{"/asset", SortedJson::array(), "/asset"},
         Breach{"/extensionsRequired", {"KHR_draco_mesh_compression"}, "KHR_draco_mesh_compression"},
         Breach{"/extensionsRequired", {"EXT_meshopt_compression"}, "EXT_meshopt_compression"},
         Breach{"/extensionsRequired", {"KHR_texture_basisu"}, "KHR_texture_basisu"},
@@ -210,10 +210,10 @@ TEST(GltfGuards, RefuseTransformsThatMultiplyToInfinity) {
 
 TEST(GltfGuards, RefuseNodesNestedDeeperThanTheLimit) {
     auto sample = test::sample_gltf();
-    Json& nodes = sample.json["nodes"];
+    SortedJson& nodes = sample.json["nodes"];
     for (int i = 2; i < 1100; ++i) {
         nodes[static_cast<std::size_t>(i)]["children"] = {i + 1};
-        nodes.push_back(Json::object());
+        nodes.push_back(SortedJson::object());
     }
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_FALSE(loaded.has_value());
@@ -223,10 +223,10 @@ TEST(GltfGuards, RefuseNodesNestedDeeperThanTheLimit) {
 TEST(GltfGuards, RefuseWithoutDelayATreeWhoseSharingIsExponential) {
     // Each node lists the next one twice: 2^60 paths.
     auto sample = test::sample_gltf();
-    Json& nodes = sample.json["nodes"];
+    SortedJson& nodes = sample.json["nodes"];
     for (int i = 2; i < 62; ++i) {
         nodes[static_cast<std::size_t>(i)]["children"] = {i + 1, i + 1};
-        nodes.push_back(Json::object());
+        nodes.push_back(SortedJson::object());
     }
     EXPECT_FALSE(test::load_from(sample.json, sample.binary).has_value());
 }
@@ -243,7 +243,7 @@ TEST(GltfGuards, RefuseMoreGeometryThanTheLimitBeforeTakingMemoryForIt) {
     EXPECT_THAT(loaded.error().message, HasSubstr("limit"));
     // A million primitives that share one accessor.
     sample.json["accessors"][0]["count"] = 1000000;
-    Json& primitives = sample.json["meshes"][0]["primitives"];
+    SortedJson& primitives = sample.json["meshes"][0]["primitives"];
     for (int i = 0; i < 1000; ++i) primitives.push_back(primitives[0]);
     loaded = load_document_from_memory(sample.glb(), "model.glb",
                                        {.geometry_bytes = std::uint64_t{64} << 20});

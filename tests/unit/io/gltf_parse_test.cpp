@@ -4,16 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/json.h"
 #include "sample_gltf.h"
 
 namespace patina::io {
 namespace {
 
-using test::Json;
-
-Primitive first_primitive(const Result<LoadedDocument>& loaded) {
-    return loaded->document->scene->meshes.at(0).primitives.at(0);
-}
+using test::first_primitive;
 
 TEST(GltfParse, TakesWholeNumbersWithAPointForIntegers) {
     auto sample = test::sample_gltf();
@@ -62,9 +59,9 @@ TEST(GltfParse, ReadsIndicesWithoutAViewAndStridesThatAreOdd) {
 
 TEST(GltfParse, KeepsThePlaceOfAPrimitiveWithoutAttributes) {
     auto sample = test::sample_gltf();
-    Json& primitives = sample.json["meshes"][0]["primitives"];
+    SortedJson& primitives = sample.json["meshes"][0]["primitives"];
     primitives[0].erase("targets");
-    primitives.insert(primitives.begin(), Json::object());
+    primitives.insert(primitives.begin(), SortedJson::object());
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
     ASSERT_EQ(loaded->warnings.size(), 1u);
@@ -92,8 +89,8 @@ TEST(GltfParse, OpensAnImageThatHasNeitherUriNorView) {
 TEST(GltfParse, RefusesListsThatWouldGrowBeyondTheLimitInMemory) {
     auto sample = test::sample_gltf();
     // Three bytes of text each; some 2 KiB each once parsed.
-    sample.json["materials"] = Json::array();
-    for (int i = 0; i < 700'000; ++i) sample.json["materials"].push_back(Json::object());
+    sample.json["materials"] = SortedJson::array();
+    for (int i = 0; i < 700'000; ++i) sample.json["materials"].push_back(SortedJson::object());
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_FALSE(loaded.has_value());
     EXPECT_THAT(loaded.error().message, testing::HasSubstr("more than the limit of 1024 MiB"));

@@ -9,32 +9,32 @@
 namespace patina::io {
 namespace {
 
-using Random = std::mt19937_64;
+using Generator = std::mt19937_64;
 
-std::size_t below(Random& random, std::size_t limit) {
+std::size_t draw_below(Generator& random, std::size_t limit) {
     return random() % limit;
 }
 
-std::string random_space(Random& random) {
+std::string random_space(Generator& random) {
     static const std::vector<std::string> kSpaces = {"", "", "", " ", "\n  ", "\t", "\r\n"};
-    return kSpaces[below(random, kSpaces.size())];
+    return kSpaces[draw_below(random, kSpaces.size())];
 }
 
-std::string random_leaf(Random& random) {
+std::string random_leaf(Generator& random) {
     static const std::vector<std::string> kLeaves = {
         "0",           "-0.0",     "1.50",         "1e3",   "123456789012",
         "true",        "false",    "null",         "\"\"",  "\"a\\u0041\\/\"",
         "\"} ] , :\"", "\"\\\"\"", "\"\xC3\xA9\"", "0.1000"};
-    return kLeaves[below(random, kLeaves.size())];
+    return kLeaves[draw_below(random, kLeaves.size())];
 }
 
 /// A text with white space anywhere and numbers and escapes that no library would print so.
-std::string random_text(Random& random, int depth) {
-    const std::size_t kind = depth == 0 ? 0 : below(random, 3);
+std::string random_text(Generator& random, int depth) {
+    const std::size_t kind = depth == 0 ? 0 : draw_below(random, 3);
     if (kind == 0) return random_leaf(random);
     const bool object = kind == 1;
     std::string text = object ? "{" : "[";
-    const std::size_t count = below(random, 5);
+    const std::size_t count = draw_below(random, 5);
     for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) text += random_space(random) + ",";
         text += random_space(random);
@@ -45,26 +45,26 @@ std::string random_text(Random& random, int depth) {
     return text + random_space(random) + (object ? "}" : "]");
 }
 
-Json random_value(Random& random) {
+Json random_value(Generator& random) {
     return Json::parse(random_text(random, 2));
 }
 
 /// Changes something somewhere: a value replaced, a member or element added or removed.
-void mutate(Random& random, Json& value) {
-    const std::size_t action = below(random, 5);
+void mutate(Generator& random, Json& value) {
+    const std::size_t action = draw_below(random, 5);
     if (value.is_object() && action == 0) {
-        value[fmt::format("new{}", below(random, 3))] = random_value(random);
+        value[fmt::format("new{}", draw_below(random, 3))] = random_value(random);
     } else if (value.is_array() && action == 0) {
         value.push_back(random_value(random));
     } else if (value.is_object() && !value.empty() && action == 1) {
         const auto member =
-            std::next(value.begin(), static_cast<std::ptrdiff_t>(below(random, value.size())));
+            std::next(value.begin(), static_cast<std::ptrdiff_t>(draw_below(random, value.size())));
         value.erase(std::string(member.key()));
     } else if (value.is_array() && !value.empty() && action == 1) {
         value.erase(value.size() - 1);
     } else if (value.is_structured() && !value.empty()) {
         const auto child =
-            std::next(value.begin(), static_cast<std::ptrdiff_t>(below(random, value.size())));
+            std::next(value.begin(), static_cast<std::ptrdiff_t>(draw_below(random, value.size())));
         mutate(random, *child);
     } else {
         value = random_value(random);
@@ -94,7 +94,7 @@ void expect_equal_parts_untouched(const JsonSpans& before, int a, const JsonSpan
 }
 
 RC_GTEST_PROP(JsonSpans, EveryValueIsFoundByItsPointerWithItsOwnText, (std::uint64_t seed)) {
-    Random random(seed);
+    Generator random(seed);
     const std::string text = random_space(random) + random_text(random, 4) + random_space(random);
     const auto spans = JsonSpans::scan(text);
     RC_ASSERT(spans.has_value());
@@ -111,10 +111,10 @@ RC_GTEST_PROP(JsonSpans, EveryValueIsFoundByItsPointerWithItsOwnText, (std::uint
 
 RC_GTEST_PROP(JsonSplice, TheResultMeansWhatWasWantedAndTheRestKeepsItsBytes,
               (std::uint64_t seed)) {
-    Random random(seed ^ 0x9e3779b97f4a7c15u);
+    Generator random(seed ^ 0x9e3779b97f4a7c15u);
     const auto spans = JsonSpans::scan(random_text(random, 4)).value();
     Json wanted = Json::parse(spans.text());
-    const std::size_t mutations = 1 + below(random, 4);
+    const std::size_t mutations = 1 + draw_below(random, 4);
     for (std::size_t i = 0; i < mutations; ++i) mutate(random, wanted);
     const auto text = spliced(spans, {{"", wanted}});
     RC_ASSERT(text.has_value());
@@ -126,7 +126,7 @@ RC_GTEST_PROP(JsonSplice, TheResultMeansWhatWasWantedAndTheRestKeepsItsBytes,
 }
 
 RC_GTEST_PROP(JsonSplice, WithNothingToChangeTheTextIsTheSame, (std::uint64_t seed)) {
-    Random random(seed);
+    Generator random(seed);
     const auto spans = JsonSpans::scan(random_text(random, 4)).value();
     RC_ASSERT(spliced(spans, {}).value() == spans.text());
     RC_ASSERT(spliced(spans, {{"", Json::parse(spans.text())}}).value() == spans.text());

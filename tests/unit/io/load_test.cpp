@@ -6,21 +6,15 @@
 
 #include <cmath>
 
+#include "core/json.h"
 #include "document/record.h"
 #include "sample_gltf.h"
 
 namespace patina::io {
 namespace {
 
-using test::Json;
-
-Primitive first_primitive(const Result<LoadedDocument>& loaded) {
-    return loaded->document->scene->meshes.at(0).primitives.at(0);
-}
-
-const ChannelSettings& channel_of(const Material& material, Channel channel) {
-    return at(material.stack.at(0)->channels, channel);
-}
+using test::first_primitive;
+using test::lowest_channel;
 
 /// The colours of COLOR_0 as floats, stored as `numbers` of some component type.
 template <typename T>
@@ -31,7 +25,7 @@ std::vector<glm::vec4> loaded_colors(int component_type, const char* type, bool 
     test::append<T>(sample.binary, numbers);
     sample.json["bufferViews"].push_back(test::view(start, sample.binary.size() - start));
     sample.json["buffers"][0]["byteLength"] = sample.binary.size();
-    Json accessor = test::accessor(10, component_type, 3, type);
+    SortedJson accessor = test::accessor(10, component_type, 3, type);
     if (normalized) accessor["normalized"] = true;
     sample.json["accessors"].push_back(accessor);
     sample.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 9;
@@ -104,16 +98,16 @@ TEST(Load, TurnsStripsAndFansIntoTrianglesThatFaceTheSameWay) {
     auto sample = test::sample_gltf();
     sample.binary.clear();
     test::append<float>(sample.binary, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
-    sample.json["bufferViews"] = Json::array({test::view(0, 60)});
+    sample.json["bufferViews"] = SortedJson::array({test::view(0, 60)});
     sample.json["buffers"][0]["byteLength"] = 60;
-    sample.json["accessors"] = Json::array({test::accessor(0, 5126, 5, "VEC3")});
+    sample.json["accessors"] = SortedJson::array({test::accessor(0, 5126, 5, "VEC3")});
     for (const char* member :
          {"skins", "animations", "images", "textures", "materials", "extensions", "cameras"})
         sample.json.erase(member);
     sample.json["nodes"] = {{{"mesh", 0}}};
     sample.json["scenes"] = {{{"nodes", {0}}}};
-    Json primitive = {{"attributes", {{"POSITION", 0}}}, {"mode", 5}};
-    sample.json["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
+    SortedJson primitive = {{"attributes", {{"POSITION", 0}}}, {"mode", 5}};
+    sample.json["meshes"] = SortedJson::array({{{"primitives", SortedJson::array({primitive})}}});
     auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
     EXPECT_EQ(first_primitive(loaded).indices.size(), 9u);
@@ -189,7 +183,7 @@ TEST(Load, FlattensTheNodesWithTheirCamerasAndLights) {
 
 TEST(Load, SharesAMeshAmongNodesAndShowsAFileWithoutNodes) {
     auto sample = test::sample_gltf();
-    sample.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}}, Json::object()};
+    sample.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}}, SortedJson::object()};
     sample.json["scenes"][0]["nodes"] = {0, 1};
     auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
@@ -204,7 +198,7 @@ TEST(Load, SharesAMeshAmongNodesAndShowsAFileWithoutNodes) {
 
 TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
     auto sample = test::sample_gltf();
-    Json& source = sample.json["materials"][0];
+    SortedJson& source = sample.json["materials"][0];
     source["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.25, 1.0, 0.75};
     source["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
     source["pbrMetallicRoughness"]["roughnessFactor"] = 0.5;
@@ -223,7 +217,7 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
                               {"specularTexture", {{"index", 0}, {"texCoord", 1}}},
                               {"specularColorTexture", {{"index", 0}}}}},
                             {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
-                            {"KHR_materials_unlit", Json::object()}};
+                            {"KHR_materials_unlit", SortedJson::object()}};
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
     const Material& material = *loaded->document->materials.at(0);
@@ -243,7 +237,7 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
     EXPECT_EQ(material.specular_color_map->color_space, ColorSpace::Srgb);
     EXPECT_FLOAT_EQ(material.emissive_strength, 4.0f);
 
-    const auto base = std::get<ImageSource>(channel_of(material, Channel::BaseColor).source);
+    const auto base = std::get<ImageSource>(lowest_channel(material, Channel::BaseColor).source);
     EXPECT_EQ(base.color_space, ColorSpace::Srgb);
     EXPECT_EQ(base.multiply, glm::vec3(0.5f, 0.25f, 1.0f));
     EXPECT_EQ(base.uv_set, 1);
@@ -253,25 +247,26 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
     EXPECT_EQ(base.wrap_u, Wrap::Clamp);
     EXPECT_EQ(base.wrap_v, Wrap::Mirror);
     EXPECT_EQ(base.filter, Filter::Nearest);
-    const auto metal = std::get<ImageSource>(channel_of(material, Channel::Metalness).source);
+    const auto metal = std::get<ImageSource>(lowest_channel(material, Channel::Metalness).source);
     EXPECT_EQ(metal.pick, ChannelPick::Blue);
     EXPECT_EQ(metal.multiply.x, 1.0f);
-    const auto rough = std::get<ImageSource>(channel_of(material, Channel::Roughness).source);
+    const auto rough = std::get<ImageSource>(lowest_channel(material, Channel::Roughness).source);
     EXPECT_EQ(rough.pick, ChannelPick::Green);
     EXPECT_EQ(rough.multiply.x, 0.5f);
-    const auto normal = std::get<ImageSource>(channel_of(material, Channel::Normal).source);
+    const auto normal = std::get<ImageSource>(lowest_channel(material, Channel::Normal).source);
     EXPECT_EQ(normal.multiply, glm::vec3(2, 2, 1));
-    const auto occlusion = std::get<ImageSource>(channel_of(material, Channel::Occlusion).source);
+    const auto occlusion =
+        std::get<ImageSource>(lowest_channel(material, Channel::Occlusion).source);
     EXPECT_EQ(occlusion.pick, ChannelPick::Red);
     EXPECT_EQ(occlusion.multiply.x, 0.25f);
     EXPECT_EQ(occlusion.add.x, 0.75f);
-    const auto emissive = std::get<ImageSource>(channel_of(material, Channel::Emissive).source);
+    const auto emissive = std::get<ImageSource>(lowest_channel(material, Channel::Emissive).source);
     EXPECT_EQ(emissive.color_space, ColorSpace::Srgb);
     EXPECT_EQ(emissive.multiply, glm::vec3(1, 0.5f, 0));
     // The PNG has no alpha, so the factor alone is the opacity.
-    EXPECT_EQ(std::get<ConstantSource>(channel_of(material, Channel::Opacity).source).value.x,
+    EXPECT_EQ(std::get<ConstantSource>(lowest_channel(material, Channel::Opacity).source).value.x,
               0.75f);
-    EXPECT_FALSE(channel_of(material, Channel::Height).enabled);
+    EXPECT_FALSE(lowest_channel(material, Channel::Height).enabled);
 
     ASSERT_EQ(loaded->document->images.size(), 1u);
     const ImageAsset& image = *loaded->document->images.begin()->second;
@@ -283,7 +278,7 @@ TEST(Load, MakesAMaterialsMapsAndFactorsItsLowestLayer) {
 
 TEST(Load, ShowsMapsOfUvSetsThatItDoesNotReadByTheFirstAndSaysSoOnce) {
     auto sample = test::sample_gltf();
-    Json& source = sample.json["materials"][0];
+    SortedJson& source = sample.json["materials"][0];
     source["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
     source["normalTexture"]["extensions"]["KHR_texture_transform"]["texCoord"] = 15;
     source["extensions"]["KHR_materials_specular"]["specularTexture"] = {{"index", 0},
@@ -298,7 +293,7 @@ TEST(Load, ShowsMapsOfUvSetsThatItDoesNotReadByTheFirstAndSaysSoOnce) {
     EXPECT_EQ(material.uv_set, 0);
     EXPECT_EQ(material.specular_map->uv_set, 0);
     for (const Channel channel : {Channel::BaseColor, Channel::Normal})
-        EXPECT_EQ(std::get<ImageSource>(channel_of(material, channel).source).uv_set, 0);
+        EXPECT_EQ(std::get<ImageSource>(lowest_channel(material, channel).source).uv_set, 0);
 }
 
 TEST(Load, GivesPrimitivesWithoutMaterialTheDefaultOfTheStandard) {
@@ -310,7 +305,7 @@ TEST(Load, GivesPrimitivesWithoutMaterialTheDefaultOfTheStandard) {
     const Material& material = *loaded->document->materials[1];
     EXPECT_FALSE(material.source_material.has_value());
     const auto constant = [&](Channel channel) {
-        return std::get<ConstantSource>(channel_of(material, channel).source).value.x;
+        return std::get<ConstantSource>(lowest_channel(material, channel).source).value.x;
     };
     EXPECT_EQ(constant(Channel::BaseColor), 1.0f);
     EXPECT_EQ(constant(Channel::Metalness), 1.0f);

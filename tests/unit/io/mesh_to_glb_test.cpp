@@ -7,21 +7,18 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "sample_gltf.h"
 #include "scene/shapes.h"
 
 namespace patina::io {
 namespace {
 
+using test::word_at;
+
 const std::array kMaterials = {
     PlainMaterial{.name = "Ball", .base_color_linear = {0.25f, 0.5f, 1.0f}, .roughness = 0.25f},
     PlainMaterial{.name = "Stand", .metalness = 1.0f},
 };
-
-std::uint32_t word_at(const Bytes& glb, std::size_t offset) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, glb.data() + offset, sizeof word);
-    return word;
-}
 
 struct OpenedGlb {
     nlohmann::json json;

@@ -14,7 +14,7 @@ namespace {
 
 enum class Content { Random, Smooth, Flat };
 
-Image test_image(int width, int height, int channels, SampleType type, Content content) {
+Image image_of(int width, int height, int channels, SampleType type, Content content) {
     Image image{.width = width, .height = height, .channels = channels, .type = type, .data = {}};
     image.data.resize(image.row_bytes() * static_cast<std::size_t>(height));
     std::mt19937 random(static_cast<unsigned>(width * 1000 + height));
@@ -67,7 +67,7 @@ TEST(PngWriter, EverySizeUpTo40DecodesToTheSamePixels) {
             const int channels = 1 + (width + height) % 4;
             const auto type = (width + 2 * height) % 3 == 0 ? SampleType::U16 : SampleType::U8;
             const auto content = height % 2 == 0 ? Content::Random : Content::Smooth;
-            const Image image = test_image(width, height, channels, type, content);
+            const Image image = image_of(width, height, channels, type, content);
             const auto png = encode_png(image);
             ASSERT_TRUE(png) << png.error().message;
             ASSERT_EQ(read_by_openimageio(*png, "png"), image)
@@ -79,7 +79,7 @@ TEST(PngWriter, EveryLevelLayoutAndContentOfManyStripsDecodesToTheSamePixels) {
     for (const SampleType type : {SampleType::U8, SampleType::U16})
         for (const Content content : {Content::Random, Content::Smooth, Content::Flat})
             for (int level = 1; level <= 3; ++level) {
-                const Image image = test_image(1031, 777, 1 + level, type, content);
+                const Image image = image_of(1031, 777, 1 + level, type, content);
                 const auto png = encode_png(image, {.level = level});
                 ASSERT_TRUE(png) << png.error().message;
                 EXPECT_TRUE(read_by_openimageio(*png, "png") == image) << "level " << level;
@@ -87,7 +87,7 @@ TEST(PngWriter, EveryLevelLayoutAndContentOfManyStripsDecodesToTheSamePixels) {
 }
 
 TEST(PngWriter, TheFileIsAHeaderThenDataThenAnEndWithGoodChecksums) {
-    const auto png = encode_png(test_image(1024, 1024, 3, SampleType::U8, Content::Random)).value();
+    const auto png = encode_png(image_of(1024, 1024, 3, SampleType::U8, Content::Random)).value();
     const auto types = checked_chunks(png);
     ASSERT_GE(types.size(), 5u) << "3 MiB are several strips";
     EXPECT_EQ(types.front(), "IHDR");
@@ -96,22 +96,21 @@ TEST(PngWriter, TheFileIsAHeaderThenDataThenAnEndWithGoodChecksums) {
 }
 
 TEST(PngWriter, OneThreadAndManyGiveTheSameBytes) {
-    const Image image = test_image(1500, 1500, 4, SampleType::U8, Content::Smooth);
+    const Image image = image_of(1500, 1500, 4, SampleType::U8, Content::Smooth);
     const auto many = encode_png(image).value();
     const ThreadLimit one(1);
     EXPECT_EQ(encode_png(image).value(), many);
 }
 
 TEST(PngWriter, RefusesWhatPngCannotHold) {
-    EXPECT_FALSE(encode_png(test_image(4, 4, 3, SampleType::F32, Content::Flat)));
-    Image image = test_image(4, 4, 3, SampleType::U8, Content::Flat);
+    EXPECT_FALSE(encode_png(image_of(4, 4, 3, SampleType::F32, Content::Flat)));
+    Image image = image_of(4, 4, 3, SampleType::U8, Content::Flat);
     image.data.pop_back();
     EXPECT_FALSE(encode_png(image));
     EXPECT_FALSE(encode_png(Image{}));
     const Progress cancelled;
     cancelled.cancel();
-    const auto result =
-        encode_png(test_image(4, 4, 3, SampleType::U8, Content::Flat), {}, cancelled);
+    const auto result = encode_png(image_of(4, 4, 3, SampleType::U8, Content::Flat), {}, cancelled);
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().message.find("cancelled"), std::string::npos);
 }

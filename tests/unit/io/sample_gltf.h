@@ -36,6 +36,13 @@ inline void append_word(Bytes& out, std::size_t word) {
     append<std::uint32_t>(out, {static_cast<std::uint32_t>(word)});
 }
 
+inline std::uint32_t word_at(const Bytes& bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        word |= static_cast<std::uint32_t>(bytes.at(offset + i)) << (8 * i);
+    return word;
+}
+
 /// A GLB of one JSON chunk and, unless it is empty, one binary chunk.
 inline Bytes make_glb(std::string json, Bytes binary) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -174,6 +181,15 @@ inline SampleGltf sample_gltf() {
 
 inline Result<LoadedDocument> load_from(const Json& json, const Bytes& binary) {
     return load_document_from_memory(make_glb(json.dump(), binary), "model.glb");
+}
+
+inline Primitive first_primitive(const Result<LoadedDocument>& loaded) {
+    return loaded->document->scene->meshes.at(0).primitives.at(0);
+}
+
+/// The channel of the lowest layer.
+inline const ChannelSettings& lowest_channel(const Material& material, Channel channel) {
+    return at(material.stack.at(0)->channels, channel);
 }
 
 }  // namespace patina::io::test

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/sample_gltf.h"
+
 namespace patina::io {
 
 std::vector<fs::path> asset_models() {
@@ -58,24 +60,13 @@ Document with_noise_layer(const Document& document, std::size_t index, std::uint
     return after;
 }
 
-namespace {
-
-std::uint32_t word_at(const Bytes& bytes, std::size_t at) {
-    std::uint32_t word = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        word |= static_cast<std::uint32_t>(bytes.at(at + i)) << (8 * i);
-    return word;
-}
-
-}  // namespace
-
 Glb parts_of(const Bytes& file) {
-    const std::size_t json = word_at(file, 12);
+    const std::size_t json = test::word_at(file, 12);
     Glb parts;
     parts.json.assign(reinterpret_cast<const char*>(file.data()) + 20, json);
     if (file.size() <= 20 + json) return parts;
     const auto begin = file.begin() + static_cast<std::ptrdiff_t>(28 + json);
-    parts.binary.assign(begin, begin + word_at(file, 20 + json));
+    parts.binary.assign(begin, begin + test::word_at(file, 20 + json));
     return parts;
 }
 

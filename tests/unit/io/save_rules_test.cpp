@@ -18,7 +18,7 @@
 namespace patina::io {
 namespace {
 
-ImageAssetPtr test_image(ImageStore& store, std::uint8_t shade) {
+ImageAssetPtr shaded_image(ImageStore& store, std::uint8_t shade) {
     Image image{.width = 8, .height = 8, .channels = 3, .type = SampleType::U8, .data = {}};
     image.data.resize(image.row_bytes() * 8);
     for (std::size_t i = 0; i < image.data.size(); ++i)
@@ -48,7 +48,7 @@ Document with_base_color(const Document& document, const Source& source, std::si
 
 TEST_F(Save, AnUntouchedImageIsShownAsItIsWithFactorTransformAndWrap) {
     const auto document = quad(true);
-    const auto image = test_image(*document.images, 10);
+    const auto image = shaded_image(*document.images, 10);
     ImageSource source = color_image(*image);
     source.multiply = {0.5f, 0.25f, 1.0f};
     source.transform.scale = {2.0f, 1.0f};
@@ -86,7 +86,7 @@ TEST_F(Save, LayersOverAMapOfAUvSetThatIsNotReadComeBack) {
 
 TEST_F(Save, ABakedSlotLosesItsFactorsAndTransformAndKeepsItsWrapModes) {
     const auto document = quad(true);
-    const auto image = test_image(*document.images, 10);
+    const auto image = shaded_image(*document.images, 10);
     ImageSource source = color_image(*image);
     source.multiply = {0.5f, 0.25f, 1.0f};
     source.transform.offset = {0.5f, 0.0f};
@@ -108,7 +108,7 @@ TEST_F(Save, ABakedSlotLosesItsFactorsAndTransformAndKeepsItsWrapModes) {
 
 TEST_F(Save, AnImageOfALayerStaysInTheFileThoughNoSlotShowsIt) {
     const auto document = quad(true);
-    const auto image = test_image(*document.images, 10);
+    const auto image = shaded_image(*document.images, 10);
     Document edited =
         with_base_color(with(*document.document, add_image(image)), color_image(*image));
     edited = with_noise_layer(edited, 0);
@@ -124,7 +124,7 @@ TEST_F(Save, AnImageOfALayerStaysInTheFileThoughNoSlotShowsIt) {
 
 TEST_F(Save, AnImageThatTwoMaterialsReadOutlivesTheEditOfOne) {
     const auto document = quad(true, {{.name = "A"}, {.name = "B"}});
-    const auto image = test_image(*document.images, 10);
+    const auto image = shaded_image(*document.images, 10);
     Document edited = with(*document.document, add_image(image));
     for (std::size_t i = 0; i < 2; ++i) edited = with_base_color(edited, color_image(*image), i);
     const auto path = folder_ / "a.glb";

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/json.h"
 #include "document/edits.h"
 #include "document/layer_json.h"
 #include "document/record.h"
@@ -14,7 +15,7 @@
 namespace patina::io {
 namespace {
 
-using test::Json;
+using test::lowest_channel;
 using testing::HasSubstr;
 
 constexpr const char* kExtension = "KHR_materials_pbrSpecularGlossiness";
@@ -50,17 +51,13 @@ TEST(SpecularGlossiness, GivesBackWhatAMetallicRoughnessOfGreysIsMadeFrom) {
         }
 }
 
-test::SampleGltf glossy_sample(const Json& extension) {
+test::SampleGltf glossy_sample(const SortedJson& extension) {
     auto sample = test::sample_gltf();
     sample.json["extensionsUsed"].push_back(kExtension);
     sample.json["extensionsRequired"] = {kExtension};
     sample.json["materials"][0].erase("pbrMetallicRoughness");
     sample.json["materials"][0]["extensions"][kExtension] = extension;
     return sample;
-}
-
-const ChannelSettings& channel_of(const Document& document, Channel channel) {
-    return at(document.materials.at(0)->stack.at(0)->channels, channel);
 }
 
 TEST(SpecularGlossiness, WithoutMapsLoadsAsConstants) {
@@ -71,7 +68,9 @@ TEST(SpecularGlossiness, WithoutMapsLoadsAsConstants) {
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
     EXPECT_TRUE(loaded->warnings.empty());
     const auto constant = [&](Channel channel) {
-        return std::get<ConstantSource>(channel_of(*loaded->document, channel).source).value.x;
+        return std::get<ConstantSource>(
+                   lowest_channel(*loaded->document->materials.at(0), channel).source)
+            .value.x;
     };
     EXPECT_NEAR(constant(Channel::Metalness), 1.0f, 1e-4f);
     EXPECT_NEAR(constant(Channel::Roughness), 0.25f, 1e-6f);
@@ -86,8 +85,8 @@ TEST(SpecularGlossiness, WithMapsLoadsAsMapsOfItsOwnThatKeepTheirPlace) {
          {"glossinessFactor", 0.4}});
     const auto loaded = test::load_from(sample.json, sample.binary);
     ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
-    const auto& source =
-        std::get<ImageSource>(channel_of(*loaded->document, Channel::BaseColor).source);
+    const auto& source = std::get<ImageSource>(
+        lowest_channel(*loaded->document->materials.at(0), Channel::BaseColor).source);
     EXPECT_EQ(source.transform.scale, glm::vec2(2.0f, 3.0f));
     EXPECT_EQ(source.wrap_v, Wrap::Mirror);
     const auto color = loaded->images->pixels(source.image);
@@ -96,8 +95,8 @@ TEST(SpecularGlossiness, WithMapsLoadsAsMapsOfItsOwnThatKeepTheirPlace) {
     EXPECT_EQ((*color)->data[0], std::byte{200});
     EXPECT_EQ((*color)->data[1], std::byte{100});
     EXPECT_EQ((*color)->data[2], std::byte{50});
-    const auto& roughness =
-        std::get<ImageSource>(channel_of(*loaded->document, Channel::Roughness).source);
+    const auto& roughness = std::get<ImageSource>(
+        lowest_channel(*loaded->document->materials.at(0), Channel::Roughness).source);
     const auto surface = loaded->images->pixels(roughness.image);
     ASSERT_TRUE(surface.has_value());
     EXPECT_EQ((*surface)->data[1], std::byte{153});  // 0.6 of 255

@@ -9,11 +9,11 @@
 namespace patina::render {
 namespace {
 
-constexpr int kWidth = 512;
+constexpr int kSkyWidth = 512;
 
 /// A grey sky with a disc of that radius and radiance around a direction.
 RadianceMap sky_with_disc(const glm::vec3& towards, float radius_radians, float radiance) {
-    RadianceMap map{kWidth, kWidth / 2, {}};
+    RadianceMap map{kSkyWidth, kSkyWidth / 2, {}};
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {
             const glm::vec3 direction = texel_direction(map, x, y);
@@ -56,16 +56,16 @@ TEST(EnvironmentSuns, SoftBoxesAndPlainSkiesStayInTheMap) {
 }
 
 TEST(EnvironmentSuns, OnlyTheStrongestAreTakenOut) {
-    RadianceMap map{kWidth, kWidth / 2, {}};
-    map.texels.assign(static_cast<std::size_t>(kWidth) * kWidth / 2, glm::vec3(0.1f));
+    RadianceMap map{kSkyWidth, kSkyWidth / 2, {}};
+    map.texels.assign(static_cast<std::size_t>(kSkyWidth) * kSkyWidth / 2, glm::vec3(0.1f));
     for (int i = 0; i < 6; ++i)
-        map.texels[std::size_t{kWidth} * 100 + 40 + 60 * static_cast<std::size_t>(i)] =
+        map.texels[std::size_t{kSkyWidth} * 100 + 40 + 60 * static_cast<std::size_t>(i)] =
             glm::vec3(20000.0f + 1000.0f * static_cast<float>(i));
     const MapWithoutSuns parted = take_out_suns(map);
     ASSERT_EQ(parted.suns.size(), kMostSuns);
     for (std::size_t i = 1; i < parted.suns.size(); ++i)
         EXPECT_GT(parted.suns[i - 1].irradiance_linear.x, parted.suns[i].irradiance_linear.x);
-    EXPECT_EQ(parted.rest.texels[kWidth * 100 + 40].x, 20000.0f);
+    EXPECT_EQ(parted.rest.texels[kSkyWidth * 100 + 40].x, 20000.0f);
 }
 
 }  // namespace

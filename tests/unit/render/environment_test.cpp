@@ -14,11 +14,10 @@
 #include "io/load.h"
 #include "render/radiance_cube.h"
 #include "render/render_test.h"
+#include "shaders/vectors.h"
 
 namespace patina::render {
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 Image uniform_map(int width, const glm::vec3& radiance) {
     Image image{

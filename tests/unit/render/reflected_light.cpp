@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/formulae/formulae.h"
+#include "shaders/vectors.h"
 
 namespace patina::render {
 namespace {
@@ -12,14 +13,6 @@ constexpr float kDielectricF0 = 0.04f;
 constexpr formulae::BrdfTerms kTerms = {formulae::DISTRIBUTION_GGX,
                                         formulae::GEOMETRY_SMITH_SEPARABLE,
                                         formulae::FRESNEL_SCHLICK, formulae::DIFFUSE_LAMBERT};
-
-formulae::Real3 real3(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-glm::dvec3 dvec3(const formulae::Real3& v) {
-    return {v.x, v.y, v.z};
-}
 
 struct Terms {
     formulae::Real3 diffuse;

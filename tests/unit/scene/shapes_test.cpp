@@ -27,7 +27,7 @@ float cross(glm::vec2 a, glm::vec2 b) {
 }
 
 /// How often each texel's middle is covered by the triangles' UVs.
-std::vector<int> uv_coverage(const Primitive& primitive, int size) {
+std::vector<int> times_covered(const Primitive& primitive, int size) {
     std::vector<int> counts(static_cast<std::size_t>(size) * size);
     for (const auto& [a, b, c] : triangles(primitive)) {
         const auto& uv = primitive.uvs[0];
@@ -109,7 +109,7 @@ TEST_P(ShapeMeshes, KeepTheirUvsWithinTheSquareAndOverlapNowhere) {
             EXPECT_GE(std::min(uv.x, uv.y), 0.0f);
             EXPECT_LE(std::max(uv.x, uv.y), 1.0f);
         }
-        const std::vector<int> coverage = uv_coverage(primitive, kSize);
+        const std::vector<int> coverage = times_covered(primitive, kSize);
         EXPECT_LE(*std::max_element(coverage.begin(), coverage.end()), 1);
         const auto used = std::count(coverage.begin(), coverage.end(), 1);
         EXPECT_GT(static_cast<double>(used), 0.4 * kSize * kSize) << "most of the map is wasted";

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/formulae/formulae.h"
+#include "shaders/vectors.h"
 
 namespace patina {
 namespace {
@@ -16,15 +17,6 @@ namespace {
 using formulae::Real2;
 using formulae::Real3;
 using formulae::SeenRectangle;
-
-constexpr double kPi = 3.14159265358979323846;
-
-Real3 real3(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-glm::dvec3 dvec3(const Real3& v) {
-    return {v.x, v.y, v.z};
-}
 
 /// The integral of f over the sphere's directions, by rings about its middle.
 template <typename Function>

@@ -13,7 +13,7 @@ namespace patina {
 namespace {
 
 using formulae::Real3;
-using testing::published_blend;
+using test_support::published_blend;
 
 using Separable = float (*)(float, float);
 const std::map<BlendMode, Separable>& separable_modes() {
@@ -93,7 +93,8 @@ TEST(Blend, EveryModeOfColoursAndScalarsIsTested) {
     for (const BlendModeInfo& row : kBlendModes) {
         if (!applies_to(row.mode, Channel::BaseColor)) continue;
         EXPECT_NE(separable_modes().contains(row.mode), color_modes().contains(row.mode)) << row.id;
-        EXPECT_EQ(color_modes().contains(row.mode), testing::is_non_separable(row.mode)) << row.id;
+        EXPECT_EQ(color_modes().contains(row.mode), test_support::is_non_separable(row.mode))
+            << row.id;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/formulae/formulae.h"
+#include "shaders/vectors.h"
 
 namespace patina {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using formulae::Real2;
 using formulae::Real3;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kDistributions[] = {formulae::DISTRIBUTION_GGX, formulae::DISTRIBUTION_BECKMANN,
                                   formulae::DISTRIBUTION_BLINN_PHONG};
 constexpr int kGeometries[] = {formulae::GEOMETRY_SMITH_SEPARABLE,

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "core/formulae/formulae.h"
+#include "shaders/vectors.h"
 
 namespace patina {
 namespace {
 
 using formulae::Real2;
 using formulae::Real3;
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(Environment, TheCentreOfAnEquirectLooksAlongXAndTheTopRowUp) {
     const Real2 centre = formulae::equirect_uv({1.0f, 0.0f, 0.0f});

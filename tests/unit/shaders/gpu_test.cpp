@@ -20,18 +20,19 @@ namespace {
 
 namespace {
 
-constexpr int kSide = 64;
-static_assert(kSide * kSide == kProbeInputs);
+constexpr int kInputSide = 64;
+static_assert(kInputSide * kInputSide == kProbeInputs);
 
 /// Four of the input planes, from `first`, as one texture.
 gl::Texture input_texture(std::string_view label, std::size_t first) {
-    auto texture = gl::Texture::make(
-        {.label = std::string(label), .size = {kSide, kSide}, .format = gl::Format::Rgba32F});
+    auto texture = gl::Texture::make({.label = std::string(label),
+                                      .size = {kInputSide, kInputSide},
+                                      .format = gl::Format::Rgba32F});
     EXPECT_TRUE(texture) << texture.error().message;
     std::vector<float> texels;
     for (std::size_t i = 0; i < kProbeInputs; ++i)
         for (std::size_t k = 0; k < 4; ++k) texels.push_back(probe_inputs()[first + k][i]);
-    texture->upload({.size = {kSide, kSide}}, texels);
+    texture->upload({.size = {kInputSide, kInputSide}}, texels);
     return std::move(*texture);
 }
 
@@ -62,8 +63,8 @@ float worst_error(int which, const std::vector<float>& gpu) {
 /// What the shader writes beside the result, so that a target left as it was cannot pass.
 bool canary_is_alive(int which, const std::vector<float>& canary) {
     for (std::size_t i = 0; i < kProbeInputs; ++i) {
-        const float x = static_cast<float>(i % kSide) + 0.5f;
-        const float y = static_cast<float>(i / kSide) + 0.5f;
+        const float x = static_cast<float>(i % kInputSide) + 0.5f;
+        const float y = static_cast<float>(i / kInputSide) + 0.5f;
         if (canary[i * 4] != static_cast<float>(which) || canary[i * 4 + 1] != x ||
             canary[i * 4 + 2] != y || canary[i * 4 + 3] != 1234.5f)
             return false;
@@ -80,7 +81,7 @@ TEST_F(GlTest, TheGpuComputesEverySharedFormulaAsTheCpuDoes) {
     ASSERT_TRUE(program) << program.error().message;
     auto target = gl::Framebuffer::make(
         {.label = "probe",
-         .size = {kSide, kSide},
+         .size = {kInputSide, kInputSide},
          .colors = {{"result", gl::Format::Rgba32F}, {"canary", gl::Format::Rgba32F}}});
     ASSERT_TRUE(target) << target.error().message;
     const gl::Texture a = input_texture("inputs a", 0);
@@ -99,8 +100,10 @@ TEST_F(GlTest, TheGpuComputesEverySharedFormulaAsTheCpuDoes) {
             pass.bind_texture(*program, "inputs_b", 1, b);
             pass.draw(*program, triangle, {.count = 3});
         }
-        EXPECT_TRUE(canary_is_alive(which, target->read_color(1, {0, 0}, {kSide, kSide})));
-        const float worst = worst_error(which, target->read_color(0, {0, 0}, {kSide, kSide}));
+        EXPECT_TRUE(
+            canary_is_alive(which, target->read_color(1, {0, 0}, {kInputSide, kInputSide})));
+        const float worst =
+            worst_error(which, target->read_color(0, {0, 0}, {kInputSide, kInputSide}));
         EXPECT_LE(worst, kProbes[which].gpu_tolerance) << kProbes[which].name;
         RecordProperty(kProbes[which].name, std::to_string(worst));
     }

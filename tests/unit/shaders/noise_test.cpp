@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "core/formulae/formulae.h"
+#include "shaders/mean.h"
 
 namespace patina {
 namespace {
 
 using formulae::Real2;
 
-constexpr int kKinds[] = {
+constexpr int kNoises[] = {
     formulae::NOISE_VALUE,     formulae::NOISE_PERLIN,       formulae::NOISE_WORLEY,
     formulae::NOISE_SIMPLEX,   formulae::NOISE_RIDGED,       formulae::NOISE_TURBULENCE,
     formulae::NOISE_WORLEY_F2, formulae::NOISE_WORLEY_EDGES, formulae::NOISE_CELLS};
@@ -25,7 +26,7 @@ float tile_tolerance(int kind) {
 }
 
 /// A noise over side x side points of `cells` cells a side.
-std::vector<float> picture(int kind, int cells, formulae::uint seed, int side) {
+std::vector<float> noise_picture(int kind, int cells, formulae::uint seed, int side) {
     std::vector<float> values;
     const float step = static_cast<float>(cells) / static_cast<float>(side);
     for (int y = 0; y < side; ++y)
@@ -35,12 +36,6 @@ std::vector<float> picture(int kind, int cells, formulae::uint seed, int side) {
                 {(static_cast<float>(x) + 0.5f) * step, (static_cast<float>(y) + 0.5f) * step},
                 cells, seed, kTexel));
     return values;
-}
-
-double mean(const std::vector<float>& values) {
-    double sum = 0;
-    for (const float value : values) sum += value;
-    return sum / static_cast<double>(values.size());
 }
 
 double correlation(const std::vector<float>& a, const std::vector<float>& b) {
@@ -74,8 +69,8 @@ TEST(Noise, PinnedPointsKeepTheirValues) {
 }
 
 TEST(Noise, EveryKindFillsTheRangeAboutItsMeanAndStaysInside) {
-    for (const int kind : kKinds) {
-        const std::vector<float> values = picture(kind, 64, 3u, 512);
+    for (const int kind : kNoises) {
+        const std::vector<float> values = noise_picture(kind, 64, 3u, 512);
         const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
         EXPECT_GE(*lowest, 0.0f) << kind;
         EXPECT_LE(*highest, 1.0f) << kind;
@@ -86,7 +81,7 @@ TEST(Noise, EveryKindFillsTheRangeAboutItsMeanAndStaysInside) {
 }
 
 TEST(Noise, EveryKindTilesAfterItsPeriodAlsoBelowZero) {
-    for (const int kind : kKinds)
+    for (const int kind : kNoises)
         for (const int period : {1, 3, 7, 16})
             for (int i = 0; i < 200; ++i) {
                 const float x = static_cast<float>(i) * 0.171875f;  // in 64ths: sums are exact
@@ -103,12 +98,12 @@ TEST(Noise, EveryKindTilesAfterItsPeriodAlsoBelowZero) {
 }
 
 TEST(Noise, SeedsGiveUnrelatedPictures) {
-    for (const int kind : kKinds) {
-        const std::vector<float> first = picture(kind, 64, 1u, 256);
+    for (const int kind : kNoises) {
+        const std::vector<float> first = noise_picture(kind, 64, 1u, 256);
         // What is folded has a crease at every lattice point, whatever the seed.
         const bool folded = kind == formulae::NOISE_RIDGED || kind == formulae::NOISE_TURBULENCE;
         for (const formulae::uint seed : {0u, 2u, 3u, 65537u, 0x80000001u})
-            EXPECT_LT(std::abs(correlation(first, picture(kind, 64, seed, 256))),
+            EXPECT_LT(std::abs(correlation(first, noise_picture(kind, 64, seed, 256))),
                       folded ? 0.12 : 0.05)
                 << kind << " " << seed;
     }
@@ -132,7 +127,7 @@ TEST(Noise, NeighbouringCellsAreUnrelated) {
 }
 
 TEST(Noise, EveryKindIsContinuousAcrossCells) {
-    for (const int kind : kKinds)
+    for (const int kind : kNoises)
         for (int cell = -3; cell <= 3; ++cell)
             for (int i = 0; i < 64; ++i) {
                 const float y = static_cast<float>(i) * 0.13f;
@@ -151,7 +146,7 @@ TEST(Noise, PerlinIsOneHalfAtLatticePointsAndWorleyZeroSomewhereInEachCell) {
 }
 
 TEST(Fbm, TilesAsItsFirstOctaveDoesAndStaysInside) {
-    for (const int kind : kKinds)
+    for (const int kind : kNoises)
         for (int i = 0; i < 400; ++i) {
             const float x = static_cast<float>(i) * 0.078125f;
             const float y = static_cast<float>(i % 13) * 0.234375f;
@@ -179,7 +174,7 @@ std::vector<float> fbm_row(int kind, int cells, int side) {
 TEST(Fbm, FadesOctavesThatATexelCannotShow) {
     EXPECT_EQ(formulae::octave_visibility(0.25f), 1.0f);
     EXPECT_EQ(formulae::octave_visibility(0.5f), 0.0f);
-    for (const int kind : kKinds) {
+    for (const int kind : kNoises) {
         // All of an unresolvable noise is its mean; a small picture is a smooth version of a large
         // one, not a random pick of its texels.
         const float position = 3.3f;

@@ -7,6 +7,7 @@
 
 #include "core/formulae/formulae.h"
 #include "document/choices.h"
+#include "shaders/mean.h"
 
 namespace patina {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using formulae::Pattern;
 using formulae::Real2;
 
-constexpr int kKinds = static_cast<int>(kProceduralKinds.size());
+constexpr int kPatternKinds = static_cast<int>(kProceduralKinds.size());
 
 std::string name_of(int kind) {
     return std::string(choice(static_cast<ProceduralKind>(kind)).id);
@@ -35,7 +36,7 @@ Pattern pattern(int kind, int side) {
     return made;
 }
 
-std::vector<float> picture(const Pattern& made, int side) {
+std::vector<float> pattern_picture(const Pattern& made, int side) {
     std::vector<float> values;
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x)
@@ -45,12 +46,6 @@ std::vector<float> picture(const Pattern& made, int side) {
                        (static_cast<float>(y) + 0.5f) / static_cast<float>(side) *
                            static_cast<float>(made.rows)}));
     return values;
-}
-
-double mean(const std::vector<float>& values) {
-    double sum = 0;
-    for (const float value : values) sum += static_cast<double>(value);
-    return sum / static_cast<double>(values.size());
 }
 
 /// The greatest step between neighbours, the borders included.
@@ -69,8 +64,8 @@ double steepest(const std::vector<float>& values, int side) {
 }
 
 TEST(Patterns, EveryKindStaysWithinZeroToOneAndIsNotFlat) {
-    for (int kind = 0; kind < kKinds; ++kind) {
-        const std::vector<float> values = picture(pattern(kind, 128), 128);
+    for (int kind = 0; kind < kPatternKinds; ++kind) {
+        const std::vector<float> values = pattern_picture(pattern(kind, 128), 128);
         const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
         EXPECT_GE(*lowest, -1e-6f) << name_of(kind);
         EXPECT_LE(*highest, 1.0f + 1e-6f) << name_of(kind);
@@ -79,7 +74,7 @@ TEST(Patterns, EveryKindStaysWithinZeroToOneAndIsNotFlat) {
 }
 
 TEST(Patterns, EveryKindTilesAlsoWhenItIsWarped) {
-    for (int kind = 0; kind < kKinds; ++kind)
+    for (int kind = 0; kind < kPatternKinds; ++kind)
         for (const float warp : {0.0f, 0.5f}) {
             Pattern made = pattern(kind, 128);
             made.warp = warp;
@@ -100,9 +95,9 @@ TEST(Patterns, EveryKindTilesAlsoWhenItIsWarped) {
 /// Where a picture is four times as large, each value is a mean of sixteen: what aliased would not
 /// be.
 TEST(Patterns, ASmallPictureIsALargeOneMadeSmaller) {
-    for (int kind = 0; kind < kKinds; ++kind) {
-        const std::vector<float> small = picture(pattern(kind, 64), 64);
-        const std::vector<float> large = picture(pattern(kind, 256), 256);
+    for (int kind = 0; kind < kPatternKinds; ++kind) {
+        const std::vector<float> small = pattern_picture(pattern(kind, 64), 64);
+        const std::vector<float> large = pattern_picture(pattern(kind, 256), 256);
         double difference = 0;
         for (std::size_t y = 0; y < 64; ++y)
             for (std::size_t x = 0; x < 64; ++x) {
@@ -124,29 +119,29 @@ TEST(Patterns, EdgesAreNoSharperThanATexelHoweverSharpTheyAreAskedFor) {
         made.octaves = 1;
         // At four texels to each one that is shown, an edge takes several.
         made.footprint *= 4;
-        EXPECT_LT(steepest(picture(made, 512), 512), 0.6) << name_of(kind);
+        EXPECT_LT(steepest(pattern_picture(made, 512), 512), 0.6) << name_of(kind);
     }
 }
 
 TEST(Patterns, CellsTooSmallToBeShownAreAboutTheirMean) {
-    for (int kind = 0; kind < kKinds; ++kind) {
+    for (int kind = 0; kind < kPatternKinds; ++kind) {
         Pattern made = pattern(kind, 256);
-        const double expected = mean(picture(made, 256));
+        const double expected = mean(pattern_picture(made, 256));
         made.footprint = 4.0f;
-        const std::vector<float> values = picture(made, 32);
+        const std::vector<float> values = pattern_picture(made, 32);
         EXPECT_LT(steepest(values, 32), 1e-6) << name_of(kind);
         EXPECT_NEAR(mean(values), expected, 0.09) << name_of(kind);
     }
 }
 
 TEST(Patterns, SeedsGiveDifferentPictures) {
-    for (int kind = 0; kind < kKinds; ++kind) {
+    for (int kind = 0; kind < kPatternKinds; ++kind) {
         if (kind >= formulae::PATTERN_GRADIENT_LINEAR && kind <= formulae::PATTERN_CHECKER)
             continue;  // without anything random
         Pattern made = pattern(kind, 64);
-        const std::vector<float> first = picture(made, 64);
+        const std::vector<float> first = pattern_picture(made, 64);
         made.seed = 6u;
-        EXPECT_NE(picture(made, 64), first) << name_of(kind);
+        EXPECT_NE(pattern_picture(made, 64), first) << name_of(kind);
     }
 }
 

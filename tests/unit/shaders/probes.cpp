@@ -18,7 +18,7 @@ std::vector<float> branch_points() {
     return points;
 }
 
-std::vector<float> plane(std::mt19937& random) {
+std::vector<float> input_plane(std::mt19937& random) {
     const std::vector<float> points = branch_points();
     std::vector<float> values(kProbeInputs);
     for (float& value : values) {
@@ -35,7 +35,7 @@ const ProbeInputs& probe_inputs() {
     static const ProbeInputs inputs = [] {
         std::mt19937 random(20240607);
         ProbeInputs planes;
-        for (std::vector<float>& values : planes) values = plane(random);
+        for (std::vector<float>& values : planes) values = input_plane(random);
         return planes;
     }();
     return inputs;

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
-namespace patina::testing {
-namespace {
+#include "shaders/published_hsv.h"
 
-using Vec3 = glm::dvec3;
+namespace patina::test_support {
+namespace {
 
 double held(double x) {
     return std::clamp(x, 0.0, 1.0);
@@ -44,10 +44,10 @@ double divide(double cb, double cs) {
 
 // W3C, "non-separable blend modes", as its pseudo-code has it.
 
-double lum(const Vec3& c) {
+double lum(const glm::dvec3& c) {
     return 0.3 * c.r + 0.59 * c.g + 0.11 * c.b;
 }
-Vec3 clip_color(Vec3 c) {
+glm::dvec3 clip_color(glm::dvec3 c) {
     const double l = lum(c);
     const double n = std::min({c.r, c.g, c.b});
     const double x = std::max({c.r, c.g, c.b});
@@ -55,13 +55,13 @@ Vec3 clip_color(Vec3 c) {
     if (x > 1) c = l + (c - l) * (1 - l) / (x - l);
     return c;
 }
-Vec3 set_lum(const Vec3& c, double l) {
+glm::dvec3 set_lum(const glm::dvec3& c, double l) {
     return clip_color(c + (l - lum(c)));
 }
-double sat(const Vec3& c) {
+double sat(const glm::dvec3& c) {
     return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b});
 }
-Vec3 set_sat(Vec3 c, double s) {
+glm::dvec3 set_sat(glm::dvec3 c, double s) {
     std::array<int, 3> order = {0, 1, 2};
     std::sort(order.begin(), order.end(), [&](int a, int b) { return c[a] < c[b]; });
     double &low = c[order[0]], &mid = c[order[1]], &high = c[order[2]];
@@ -75,33 +75,9 @@ Vec3 set_sat(Vec3 c, double s) {
     return c;
 }
 
-/// Hue in sixths of a turn, saturation, value; the hue of grey is 0.
-Vec3 hsv(const Vec3& c) {
-    const double value = std::max({c.r, c.g, c.b});
-    const double chroma = sat(c);
-    double hue = 0;
-    if (chroma > 0) {
-        if (value == c.r)
-            hue = (c.g - c.b) / chroma + (c.g < c.b ? 6 : 0);
-        else if (value == c.g)
-            hue = (c.b - c.r) / chroma + 2;
-        else
-            hue = (c.r - c.g) / chroma + 4;
-    }
-    return {hue, value > 0 ? chroma / value : 0, value};
-}
-Vec3 rgb(double hue, double saturation, double value) {
-    Vec3 c;
-    const std::array<double, 3> offsets = {5, 3, 1};
-    for (int k = 0; k < 3; ++k) {
-        const double at = std::fmod(offsets[static_cast<std::size_t>(k)] + hue, 6.0);
-        c[k] = value - value * saturation * std::max(0.0, std::min({at, 4 - at, 1.0}));
-    }
-    return c;
-}
 /// Smith's model with nothing at all where a grey gives its hue.
-Vec3 rgb_with_hue_of(const Vec3& c, double saturation, double value) {
-    return rgb(hsv(c).x, sat(c) > 0 ? saturation : 0, value);
+glm::dvec3 rgb_with_hue_of(const glm::dvec3& c, double saturation, double value) {
+    return rgb_from_hsv(hsv_from_rgb(c).x, sat(c) > 0 ? saturation : 0, value);
 }
 
 }  // namespace
@@ -178,13 +154,13 @@ glm::dvec3 published_blend(BlendMode mode, const glm::dvec3& cb, const glm::dvec
         case BlendMode::LuminosityW3c:
             return set_lum(cb, lum(cs));
         case BlendMode::TintHsv:
-            return rgb_with_hue_of(cs, hsv(cb).y, hsv(cb).z);
+            return rgb_with_hue_of(cs, hsv_from_rgb(cb).y, hsv_from_rgb(cb).z);
         case BlendMode::SaturationHsv:
-            return rgb_with_hue_of(cb, hsv(cs).y, hsv(cb).z);
+            return rgb_with_hue_of(cb, hsv_from_rgb(cs).y, hsv_from_rgb(cb).z);
         case BlendMode::ColorHsv:
-            return rgb_with_hue_of(cs, hsv(cs).y, hsv(cb).z);
+            return rgb_with_hue_of(cs, hsv_from_rgb(cs).y, hsv_from_rgb(cb).z);
         case BlendMode::ValueHsv:
-            return rgb_with_hue_of(cb, hsv(cb).y, hsv(cs).z);
+            return rgb_with_hue_of(cb, hsv_from_rgb(cb).y, hsv_from_rgb(cs).z);
         default: {
             glm::dvec3 result;
             for (int k = 0; k < 3; ++k) result[k] = published_blend(mode, cb[k], cs[k]);
@@ -197,4 +173,4 @@ bool is_non_separable(BlendMode mode) {
     return info(mode).kinds == kColorOnly;
 }
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

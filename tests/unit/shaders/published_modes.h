@@ -9,7 +9,7 @@
 
 #include "document/blend_mode.h"
 
-namespace patina::testing {
+namespace patina::test_support {
 
 /// B(cb, cs) of a mode that takes each component by itself, height modes included.
 double published_blend(BlendMode mode, double cb, double cs);
@@ -20,4 +20,4 @@ glm::dvec3 published_blend(BlendMode mode, const glm::dvec3& cb, const glm::dvec
 /// Whether the mode looks at a colour as a whole.
 bool is_non_separable(BlendMode mode);
 
-}  // namespace patina::testing
+}  // namespace patina::test_support

@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "composite/scalar_modes.h"
+#include "core/files.h"
 #include "core/formulae/formulae.h"
 #include "document/blend_mode.h"
 #include "document/source.h"
@@ -22,12 +21,6 @@ namespace patina {
 namespace {
 
 const std::filesystem::path kRoot(PATINA_SOURCE_DIR);
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 std::vector<std::filesystem::path> shared_texts() {
     std::vector<std::filesystem::path> paths;
@@ -52,7 +45,8 @@ std::map<std::string, std::string> function_bodies(const std::string& text) {
 std::map<std::string, std::string> shared_functions() {
     std::map<std::string, std::string> all;
     for (const auto& path : shared_texts())
-        for (const auto& [name, body] : function_bodies(text_of(path))) all[name] += body;
+        for (const auto& [name, body] : function_bodies(read_text_file(path).value()))
+            all[name] += body;
     return all;
 }
 
@@ -72,21 +66,22 @@ TEST(SharedTexts, EveryFunctionIsReachedByAProbe) {
     ASSERT_GT(functions.size(), 100u);
     std::set<std::string> reached;
     for (const auto& [name, body] :
-         function_bodies(text_of(kRoot / "tests/unit/shaders/probes.glsl")))
+         function_bodies(read_text_file(kRoot / "tests/unit/shaders/probes.glsl").value()))
         add_reached(body, functions, reached);
     for (const auto& [name, body] : functions)
         EXPECT_TRUE(reached.contains(name)) << name << " is in no probe of probes.glsl";
 }
 
 TEST(SharedTexts, EveryTextIsCompiledAsCpp) {
-    const std::string list = text_of(kRoot / "engine/core/formulae/texts-inl.h");
+    const std::string list = read_text_file(kRoot / "engine/core/formulae/texts-inl.h").value();
     for (const auto& path : shared_texts()) {
         const std::string include = "#include \"shared/" + path.filename().string() + "\"";
         EXPECT_NE(list.find(include), std::string::npos) << include;
         std::string guard = "SHARED_" + path.stem().string() + "_GLSL";
         for (char& letter : guard) letter = static_cast<char>(std::toupper(letter));
         EXPECT_NE(list.find("#undef " + guard), std::string::npos) << guard;
-        EXPECT_NE(text_of(path).find("#ifndef " + guard), std::string::npos) << guard;
+        EXPECT_NE(read_text_file(path).value().find("#ifndef " + guard), std::string::npos)
+            << guard;
     }
 }
 

@@ -10,12 +10,12 @@ namespace {
 
 using formulae::Real3;
 
-constexpr int kToneMaps[] = {formulae::TONE_MAP_NONE, formulae::TONE_MAP_REINHARD,
-                             formulae::TONE_MAP_ACES, formulae::TONE_MAP_AGX,
-                             formulae::TONE_MAP_PBR_NEUTRAL};
+constexpr int kToneOperators[] = {formulae::TONE_MAP_NONE, formulae::TONE_MAP_REINHARD,
+                                  formulae::TONE_MAP_ACES, formulae::TONE_MAP_AGX,
+                                  formulae::TONE_MAP_PBR_NEUTRAL};
 
 TEST(ToneMap, BlackStaysBlackAndNothingLeavesTheDisplay) {
-    for (const int kind : kToneMaps) {
+    for (const int kind : kToneOperators) {
         const Real3 black = formulae::tone_map(kind, Real3(0.0f));
         EXPECT_EQ(black.x, 0.0f) << kind;
         for (const float level : {0.01f, 1.0f, 50.0f, 65504.0f})
@@ -31,7 +31,7 @@ TEST(ToneMap, BlackStaysBlackAndNothingLeavesTheDisplay) {
 }
 
 TEST(ToneMap, BrighterGreysAreShownNoDarker) {
-    for (const int kind : kToneMaps) {
+    for (const int kind : kToneOperators) {
         float before = 0.0f;
         for (double stops = -14; stops < 12; stops += 0.01) {
             const auto level = static_cast<float>(std::exp2(stops));
@@ -44,7 +44,7 @@ TEST(ToneMap, BrighterGreysAreShownNoDarker) {
 }
 
 TEST(ToneMap, GreysStayGrey) {
-    for (const int kind : kToneMaps)
+    for (const int kind : kToneOperators)
         for (const float level : {0.05f, 0.18f, 0.8f, 4.0f}) {
             const Real3 shown = formulae::tone_map(kind, Real3(level));
             EXPECT_NEAR(shown.x, shown.y, 2e-3f) << kind;

@@ -21,10 +21,6 @@ std::string_view shading_note(const render::Shading& shading) {
     return shading.terms == render::PbrTerms{} ? "glTF 2.0, GGX" : "chosen terms";
 }
 
-std::string_view label_of(const render::Shading& shading) {
-    return render::kShadingModels[static_cast<std::size_t>(shading.model)].label;
-}
-
 struct Chip {
     std::string_view title;
     std::string_view note;
