@@ -34,7 +34,7 @@ constexpr int kPollMs = 15;
 /// What a program finds around it beside what is here.
 struct Surroundings {
     std::string display;
-    std::string settings_folder;  ///< and the cache, of this test alone
+    std::string settings_folder;  ///< of this test alone
 };
 
 std::vector<std::string> environment_with(const Surroundings& around) {
@@ -48,7 +48,8 @@ std::vector<std::string> environment_with(const Surroundings& around) {
     if (!around.display.empty()) result.push_back("DISPLAY=" + around.display);
     if (!around.settings_folder.empty()) {
         result.push_back("XDG_CONFIG_HOME=" + around.settings_folder);
-        result.push_back("XDG_CACHE_HOME=" + around.settings_folder);
+        // Shaders and filtered environments are made once for all tests.
+        result.push_back("XDG_CACHE_HOME=" PATINA_EDITOR_CACHE);
         result.push_back("XDG_DATA_HOME=" + around.settings_folder);
     }
     return result;

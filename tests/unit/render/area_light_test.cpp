@@ -10,15 +10,10 @@
 #include "render/light_block.h"
 #include "render/reflected_light.h"
 #include "render/render_test.h"
+#include "shaders/vectors.h"
 
 namespace patina::render {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-formulae::Real3 real3(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 Light sphere_light() {
     return {.kind = Light::Kind::Sphere,
@@ -110,28 +105,36 @@ glm::dvec3 reflected(const Light& light, const glm::dvec3& point, const glm::dve
 
 class AreaLightTest : public RenderTest {
   protected:
+    /// So fine that a highlight hardly changes within a pixel.
+    static constexpr int kSide = 192;
+
     void SetUp() override {
         RenderTest::SetUp();
         view_.environment_intensity = 0.0f;
     }
 
-    /// How far pictures of so many draws are from the integral.
+    /// How far pictures of so many draws are from the integral in the middle of their pixels.
     double error_of(const Light& light, const ReflectingMaterial& material, int draws) {
         view_.lights = {light};
         EXPECT_TRUE(renderer().set_material(
             0,
             constant_surface(material.base_color_linear, material.metalness, material.roughness)));
-        const Image normals = channel(ChannelView::NormalWorld);
-        const Image positions = channel(ChannelView::Position);
-        const Image picture = value_of(renderer().still_linear(view_, kSize, draws));
+        const auto still = [&](ChannelView shown, int samples) {
+            View view = view_;
+            view.channel = shown;
+            return value_of(renderer().still_linear(view, {kSide, kSide}, samples));
+        };
+        const Image normals = still(ChannelView::NormalWorld, 1);
+        const Image positions = still(ChannelView::Position, 1);
+        const Image picture = still(ChannelView::Final, draws);
         RelativeError error;
-        for (int y = 2; y < kSize.height; y += 4)
-            for (int x = 2; x < kSize.width; x += 4) {
+        for (int y = 6; y < kSide; y += 12)
+            for (int x = 6; x < kSide; x += 12) {
                 if (pixel_of(picture, x, y).a < 1.0f) continue;
                 const glm::dvec3 point(glm::vec3(pixel_of(positions, x, y)));
                 const glm::dvec3 n = glm::normalize(glm::dvec3(glm::vec3(pixel_of(normals, x, y))));
                 const glm::dvec3 v = glm::normalize(glm::dvec3(view_.camera.position) - point);
-                // Edge-on a pixel is wider than what changes in it.
+                // Edge-on a pixel is still wider than what changes in it.
                 if (glm::dot(n, v) < 0.3) continue;
                 error.add(glm::dvec3(glm::vec3(pixel_of(picture, x, y))),
                           reflected(light, point, n, v, material));
@@ -140,7 +143,7 @@ class AreaLightTest : public RenderTest {
     }
 };
 
-const std::vector<ReflectingMaterial>& materials() {
+const std::vector<ReflectingMaterial>& lit_materials() {
     static const std::vector<ReflectingMaterial> list = {{{0.8f, 0.4f, 0.2f}, 0.0f, 0.3f},
                                                          {{0.8f, 0.4f, 0.2f}, 0.0f, 1.0f},
                                                          {{0.9f, 0.7f, 0.4f}, 1.0f, 0.3f},
@@ -151,14 +154,18 @@ const std::vector<ReflectingMaterial>& materials() {
 
 TEST_F(AreaLightTest, ManyDrawsConvergeToTheIntegralOverTheLamp) {
     for (const Light& light : {sphere_light(), rectangle_light()})
-        for (const ReflectingMaterial& material : materials())
-            EXPECT_LT(error_of(light, material, 512), 0.03)
+        for (const ReflectingMaterial& material : lit_materials()) {
+            // The rest lies between these.
+            if (material.roughness == 0.5f || material.metalness + material.roughness == 1.0f)
+                continue;
+            EXPECT_LT(error_of(light, material, 64), 0.03)
                 << light.name << " " << material.metalness << " " << material.roughness;
+        }
 }
 
 TEST_F(AreaLightTest, OneDrawIsNearTheIntegral) {
     for (const Light& light : {sphere_light(), rectangle_light()})
-        for (const ReflectingMaterial& material : materials()) {
+        for (const ReflectingMaterial& material : lit_materials()) {
             const double error = error_of(light, material, 1);
             std::printf("%-10s metalness %.0f roughness %.1f: %.4f\n", light.name.c_str(),
                         double{material.metalness}, double{material.roughness}, error);
@@ -171,7 +178,7 @@ TEST_F(AreaLightTest, FarAwayALampIsAsBrightAsAPointOfItsIntensity) {
     ASSERT_TRUE(renderer().set_material(0, constant_surface({0.8f, 0.4f, 0.2f}, 0.3f, 0.5f)));
     const glm::vec3 away(0.0f, 15.0f, 30.0f);
     const glm::vec3 direction = -glm::normalize(away - glm::vec3(0.0f, 0.5f, 0.0f));
-    for (const int draws : {1, 256}) {
+    for (const int draws : {1, 64}) {
         view_.lights = {{.kind = Light::Kind::Point,
                          .name = "point",
                          .intensity = 700.0f,

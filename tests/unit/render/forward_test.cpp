@@ -206,10 +206,10 @@ TEST_F(ForwardTest, AForwardSideHasNoGBufferAndItsOwnPasses) {
 TEST_F(ForwardTest, AMeanOfManyDrawsIsTheSameOnBothPaths) {
     view_.background.kind = Background::Kind::Transparent;
     view_.left.path = RenderPath::Deferred;
-    const Image deferred = value_of(renderer().still_srgb(view_, {64, 48}, 64));
+    const Image deferred = value_of(renderer().still_srgb(view_, {64, 48}, 16));
     view_.left.path = RenderPath::Forward;
     const PictureDifference found =
-        difference(deferred, value_of(renderer().still_srgb(view_, {64, 48}, 64)));
+        difference(deferred, value_of(renderer().still_srgb(view_, {64, 48}, 16)));
     EXPECT_LE(found.beyond_one, 0.02);
     EXPECT_LE(found.most, 12);
 }

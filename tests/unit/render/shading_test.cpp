@@ -7,6 +7,7 @@
 #include "core/formulae/formulae.h"
 #include "render/reflected_light.h"
 #include "render/render_test.h"
+#include "shaders/vectors.h"
 
 namespace patina::render {
 namespace {
@@ -20,13 +21,6 @@ class ShadingTest : public RenderTest {
     }
 };
 
-formulae::Real3 real3(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-glm::vec3 vec3(const formulae::Real3& v) {
-    return {v.x, v.y, v.z};
-}
-
 /// The relative error that half floats and 8-bit base colours leave.
 constexpr float kTolerance = 0.02f;
 
@@ -37,7 +31,20 @@ Light slanted_sun() {
             .direction_world = glm::normalize(glm::vec3(-1.0f, -2.0f, -2.0f))};
 }
 
-TEST_F(ShadingTest, EveryCombinationOfTermsIsTheSharedFormulaOnTheCpu) {
+/// Each distribution with each masking, which share the half vector, and each Fresnel term with
+/// each diffuse one, which share the energy.
+std::vector<PbrTerms> combined_terms() {
+    std::vector<PbrTerms> all;
+    for (const auto& d : kDistributionTerms)
+        for (const auto& g : kGeometryTerms)
+            all.push_back({.distribution = d.value, .geometry = g.value});
+    for (const auto& f : kFresnelTerms)
+        for (const auto& diffuse : kDiffuseTerms)
+            all.push_back({.fresnel = f.value, .diffuse = diffuse.value});
+    return all;
+}
+
+TEST_F(ShadingTest, EveryTermIsTheSharedFormulaOnTheCpu) {
     const glm::vec3 base(0.8f, 0.4f, 0.2f);
     ASSERT_TRUE(renderer().set_material(0, constant_surface(base, 0.4f, 0.5f)));
     light_by(slanted_sun());
@@ -51,27 +58,22 @@ TEST_F(ShadingTest, EveryCombinationOfTermsIsTheSharedFormulaOnTheCpu) {
         formulae::reflection_angles(real3(n), real3(v), real3(l));
     const glm::vec3 received =
         view_.lights[0].color_linear * view_.lights[0].intensity * angles.n_dot_l;
-    for (const auto& d : kDistributionTerms)
-        for (const auto& g : kGeometryTerms)
-            for (const auto& f : kFresnelTerms)
-                for (const auto& diffuse : kDiffuseTerms) {
-                    view_.left.terms = {d.value, g.value, f.value, diffuse.value, false};
-                    const formulae::BrdfTerms terms = {
-                        static_cast<int>(d.value), static_cast<int>(g.value),
-                        static_cast<int>(f.value), static_cast<int>(diffuse.value)};
-                    const glm::vec3 specular =
-                        received *
-                        vec3(formulae::brdf_specular(terms, angles, real3(f0), 1.0f, 0.5f));
-                    const glm::vec3 scattered =
-                        received *
-                        vec3(formulae::brdf_diffuse(terms, angles, real3(base_seen * 0.6f),
-                                                    formulae::Real3(0.04f), 1.0f, 0.5f));
-                    const glm::vec3 final_picture = middle(ChannelView::Final);
-                    for (int c = 0; c < 3; ++c)
-                        EXPECT_NEAR(final_picture[c] / (specular[c] + scattered[c]), 1.0f,
-                                    kTolerance)
-                            << d.id << " " << g.id << " " << f.id << " " << diffuse.id;
-                }
+    for (const PbrTerms& pbr : combined_terms()) {
+        view_.left.terms = pbr;
+        const formulae::BrdfTerms terms = {
+            static_cast<int>(pbr.distribution), static_cast<int>(pbr.geometry),
+            static_cast<int>(pbr.fresnel), static_cast<int>(pbr.diffuse)};
+        const glm::vec3 specular =
+            received * vec3(formulae::brdf_specular(terms, angles, real3(f0), 1.0f, 0.5f));
+        const glm::vec3 scattered =
+            received * vec3(formulae::brdf_diffuse(terms, angles, real3(base_seen * 0.6f),
+                                                   formulae::Real3(0.04f), 1.0f, 0.5f));
+        const glm::vec3 final_picture = middle(ChannelView::Final);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(final_picture[c] / (specular[c] + scattered[c]), 1.0f, kTolerance)
+                << "D " << terms.distribution << " G " << terms.geometry << " F " << terms.fresnel
+                << " diffuse " << terms.diffuse;
+    }
 }
 
 TEST_F(ShadingTest, TheTermsAloneAreThoseOfTheKeyLight) {

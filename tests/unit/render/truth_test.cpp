@@ -23,20 +23,20 @@ namespace fs = std::filesystem;
 /// Of the map that both sides are given: the sum over its texels is what takes the time.
 constexpr int kMapWidth = 256;
 constexpr int kPixelsPerSphere = 40;
-constexpr glm::vec3 kCenter(0.0f, 0.5f, 0.0f);
-constexpr float kRadius = 0.5f;
+constexpr glm::vec3 kSphereCenter(0.0f, 0.5f, 0.0f);
+constexpr float kSphereRadius = 0.5f;
 
 /// So fine that what stands for its faces differs from a sphere by less than what is looked for.
 Mesh fine_sphere() {
-    constexpr int kAround = 512;
-    constexpr int kDown = 256;
+    constexpr int kAround = 256;
+    constexpr int kDown = 128;
     Primitive sphere;
     sphere.source_material = 0;
     for (int y = 0; y <= kDown; ++y)
         for (int x = 0; x <= kAround; ++x) {
             const glm::vec3 normal =
                 direction_at(static_cast<float>(x) / kAround, static_cast<float>(y) / kDown);
-            sphere.positions.push_back(kCenter + kRadius * normal);
+            sphere.positions.push_back(kSphereCenter + kSphereRadius * normal);
             sphere.normals.push_back(normal);
         }
     for (std::uint32_t y = 0; y < kDown; ++y)
@@ -75,12 +75,12 @@ std::optional<SpherePoint> sphere_at(const Shot& shot, Pixel pixel, glm::vec2 wi
     const float y = 1.0f - (static_cast<float>(pixel.y) + within.y) /
                                static_cast<float>(shot.size.height) * 2.0f;
     const glm::vec3 direction = glm::normalize(forward + half * (x * right + y * up));
-    const glm::vec3 from_center = camera.position - kCenter;
+    const glm::vec3 from_center = camera.position - kSphereCenter;
     const float b = glm::dot(from_center, direction);
-    const float root = b * b - glm::dot(from_center, from_center) + kRadius * kRadius;
+    const float root = b * b - glm::dot(from_center, from_center) + kSphereRadius * kSphereRadius;
     if (root < 0.0f) return std::nullopt;
     const glm::vec3 hit = camera.position + (-b - std::sqrt(root)) * direction;
-    return SpherePoint{pixel, (hit - kCenter) / kRadius, -direction};
+    return SpherePoint{pixel, (hit - kSphereCenter) / kSphereRadius, -direction};
 }
 
 bool wholly_covered(const Shot& shot, Pixel pixel) {
@@ -135,7 +135,7 @@ glm::dvec3 true_radiance(const ReflectedLight& light, const Shot& shot, Pixel pi
 }
 
 /// Roughness in sixths and metalness in halves.
-std::vector<ReflectingMaterial> materials() {
+std::vector<ReflectingMaterial> sphere_materials() {
     std::vector<ReflectingMaterial> result;
     for (const float metalness : {0.0f, 0.5f, 1.0f})
         for (int sixth = 0; sixth <= 6; ++sixth)
@@ -162,7 +162,7 @@ class TruthTest : public RenderTest {
     /// The geometric mean of the error of each group.
     std::map<std::string_view, double> errors(
         const Image& environment, int samples,
-        const std::vector<ReflectingMaterial>& shown = materials()) {
+        const std::vector<ReflectingMaterial>& shown = sphere_materials()) {
         const RadianceMap map = reduced_to_width(value_of(radiance_map(environment)), kMapWidth);
         const FilteredEnvironment filtered =
             value_of(filter_environment(image_of(map), FilterQuality::Finished));
