@@ -153,9 +153,6 @@ std::string_view group_of(const ReflectingMaterial& material) {
 class TruthTest : public RenderTest {
   protected:
     void SetUp() override {
-#ifdef __SANITIZE_ADDRESS__
-        GTEST_SKIP() << "the sum over all texels takes minutes under sanitizers";
-#endif
         RenderTest::SetUp();
         show(scene_of(fine_sphere()));
     }
