@@ -189,9 +189,7 @@ class TruthTest : public RenderTest {
     int summed_side_ = 1;  ///< see true_radiance
 
   private:
-    Shot shot() const {
-        return {view_.camera, size_};
-    }
+    Shot shot() const { return {view_.camera, size_}; }
 
     static Image image_of(const RadianceMap& map) {
         Image image{.width = map.width,
