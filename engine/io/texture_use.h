@@ -16,6 +16,7 @@ inline constexpr int kMaxUvSet = 15;
 /// The highest that Patina reads. Maps that name another are shown by TEXCOORD_0.
 inline constexpr int kMaxReadUvSet = 1;
 
+/// The extension that moves, turns and scales the UVs of one use of a texture (UvTransform).
 inline constexpr const char* kTextureTransform = "KHR_texture_transform";
 /// Extensions that give a texture an image in another format than glTF's own.
 inline constexpr std::array kImageFormatExtensions = {"EXT_texture_webp", "KHR_texture_basisu",

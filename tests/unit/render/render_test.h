@@ -77,10 +77,10 @@ class RenderTest : public GlTest {
         view_.camera = framed(renderer_->bounds_world(), 1.0f, ViewDirection::Front);
     }
     /// The raw numbers of a channel, one sample in the middle of each pixel.
-    Image channel(ChannelView channel) {
+    Image channel(ChannelView channel, PictureSize size = kSize) {
         View view = view_;
         view.channel = channel;
-        return value_of(renderer_->still_linear(view, kSize, 1));
+        return value_of(renderer_->still_linear(view, size, 1));
     }
     /// What a channel holds in the middle of the picture.
     glm::vec3 middle(ChannelView wanted) {
