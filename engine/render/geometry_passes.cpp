@@ -89,32 +89,49 @@ bool belongs(const GpuMaterial& material, SurfaceSet surfaces) {
     return surfaces == SurfaceSet::All || blended == (surfaces == SurfaceSet::Blended);
 }
 
-void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
-                   const gl::State& base, const std::vector<std::size_t>& order,
-                   SurfaceSet surfaces) {
+Result<gl::Program*> SurfacePrograms::program_for(const GpuMaterial& material) {
+    const SlotBits textured = textured_slots(material) & reads_;
+    if (const auto found = ready_.find(textured); found != ready_.end()) return found->second;
+    ShaderVariant variant = variant_;
+    variant.constants.push_back(shader_constant("TEXTURED_SLOTS", textured));
+    const Result<gl::Program*> program = shaders_.program(variant);
+    if (!program) return program;
+    set_up_(**program);
+    return ready_.emplace(textured, *program).first->second;
+}
+
+Status draw_surfaces(const RendererState& state, gl::Pass& pass, SurfacePrograms& programs,
+                     const gl::State& base, const std::vector<std::size_t>& order,
+                     SurfaceSet surfaces) {
     for (const std::size_t index : order) {
         const DrawItem& item = state.scene->items[index];
         const GpuMaterial& material = state.materials.at(item.source_material);
         if (!belongs(material, surfaces)) continue;
-        bind_item(state, pass, program, item);
-        draw_faces(state, pass, program, base, item,
+        const Result<gl::Program*> program = programs.program_for(material);
+        if (!program) return passed_on(program);
+        bind_item(state, pass, **program, item);
+        draw_faces(state, pass, **program, base, item,
                    material.surface.double_sided ? gl::Cull::None : gl::Cull::Back);
     }
+    return {};
 }
 
-void draw_blended_surfaces(RendererState& state, gl::Pass& pass, gl::Program& program,
-                           const gl::State& base, const Camera& camera) {
+Status draw_blended_surfaces(RendererState& state, gl::Pass& pass, SurfacePrograms& programs,
+                             const gl::State& base, const Camera& camera) {
     for (const std::size_t index : back_to_front(state.scene->items, camera)) {
         const DrawItem& item = state.scene->items[index];
         const GpuMaterial& material = state.materials.at(item.source_material);
         if (!belongs(material, SurfaceSet::Blended)) continue;
+        const Result<gl::Program*> program = programs.program_for(material);
+        if (!program) return passed_on(program);
         sort_triangles(*state.scene, item, camera);
-        bind_item(state, pass, program, item);
+        bind_item(state, pass, **program, item);
         // The far wall of what is hollow comes first: large triangles are not always sorted right.
         if (material.surface.double_sided)
-            draw_faces(state, pass, program, base, item, gl::Cull::Front);
-        draw_faces(state, pass, program, base, item, gl::Cull::Back);
+            draw_faces(state, pass, **program, base, item, gl::Cull::Front);
+        draw_faces(state, pass, **program, base, item, gl::Cull::Back);
     }
+    return {};
 }
 
 GBufferTargets::GBufferTargets(const std::string& label, GBufferPrecision precision)
@@ -149,8 +166,14 @@ Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targ
     ShaderVariant variant{kSurfaceVertexFile, "passes/gbuffer.frag", {}};
     if (with_surface) variant.constants.push_back({"SURFACE_TARGET", "1"});
     if (filters_normals(view)) variant.constants.push_back({"FILTER_NORMALS", "1"});
-    const Result<gl::Program*> program = state.shaders.program(variant);
-    if (!program) return passed_on(program);
+    const glm::vec4 eye_world = view.camera.orthographic_height > 0.0f
+                                    ? glm::vec4(-camera.forward, 0.0f)
+                                    : glm::vec4(camera.position, 1.0f);
+    SurfacePrograms programs(state.shaders, variant, kAllSlots, [&](gl::Program& program) {
+        program.set("clip_from_world", camera.clip_from_world);
+        program.set("level_bias", camera.level_bias);
+        program.set("eye_world", eye_world);
+    });
 
     // Colours need no clearing: nothing reads them where depth is 1.
     const gl::State base{.encode_srgb = true};
@@ -161,13 +184,9 @@ Result<gl::Framebuffer*> draw_gbuffer(RendererState& state, GBufferTargets& targ
                    .scissor = only,
                    .state = base,
                    .clear_depth = 1.0f});
-    (*program)->set("clip_from_world", camera.clip_from_world);
-    (*program)->set("level_bias", camera.level_bias);
-    (*program)->set("eye_world", view.camera.orthographic_height > 0.0f
-                                     ? glm::vec4(-camera.forward, 0.0f)
-                                     : glm::vec4(camera.position, 1.0f));
-    draw_surfaces(state, pass, **program, base, front_to_back(state.scene->items, view.camera),
-                  surfaces);
+    const Status drawn = draw_surfaces(state, pass, programs, base,
+                                       front_to_back(state.scene->items, view.camera), surfaces);
+    if (!drawn) return passed_on(drawn);
     return gbuffer;
 }
 
@@ -214,9 +233,11 @@ Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,
                                          const std::optional<gl::Viewport>& only) {
     Result<gl::Framebuffer*> target = state.inspection.at(camera.size);
     if (!target) return target;
-    const Result<gl::Program*> program =
-        state.shaders.program({kSurfaceVertexFile, "passes/inspection.frag", {}});
-    if (!program) return passed_on(program);
+    SurfacePrograms programs(state.shaders, {kSurfaceVertexFile, "passes/inspection.frag", {}},
+                             kBaseColorSlot, [&](gl::Program& program) {
+                                 program.set("clip_from_world", camera.clip_from_world);
+                                 program.set("inspected", static_cast<int>(inspected));
+                             });
 
     const gl::State base;
     const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Inspection");
@@ -226,10 +247,10 @@ Result<gl::Framebuffer*> draw_inspection(RendererState& state, const View& view,
                    .state = base,
                    .clear_colors = {glm::vec4(0.0f)},
                    .clear_depth = 1.0f});
-    (*program)->set("clip_from_world", camera.clip_from_world);
-    (*program)->set("inspected", static_cast<int>(inspected));
-    draw_surfaces(state, pass, **program, base, front_to_back(state.scene->items, view.camera),
-                  SurfaceSet::All);
+    const Status drawn =
+        draw_surfaces(state, pass, programs, base, front_to_back(state.scene->items, view.camera),
+                      SurfaceSet::All);
+    if (!drawn) return passed_on(drawn);
     return target;
 }
 

@@ -3,6 +3,8 @@
 
 /// The passes that draw meshes: G-buffer and inspection. Inside engine/render only.
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -36,16 +38,39 @@ bool belongs(const GpuMaterial& material, SurfaceSet surfaces);
 /// light through: no shadow is nearer to theirs than that of a solid.
 inline constexpr SurfaceSet kShadowCasters = SurfaceSet::Opaque;
 
-/// Draws the items of a set in that order with a program that has the inputs of surface.vert and
-/// material.glsl.
-void draw_surfaces(const RendererState& state, gl::Pass& pass, gl::Program& program,
-                   const gl::State& base, const std::vector<std::size_t>& order,
-                   SurfaceSet surfaces);
+/// The programs of a pass that draws surfaces, with the inputs of surface.vert and material.glsl:
+/// one for each set of textures that materials have.
+class SurfacePrograms {
+  public:
+    /// @param variant  without TEXTURED_SLOTS
+    /// @param reads    the slots whose textures the pass needs
+    /// @param set_up   gives a program what is the same for all surfaces
+    SurfacePrograms(ShaderVariants& shaders, ShaderVariant variant, SlotBits reads,
+                    std::function<void(gl::Program&)> set_up)
+        : shaders_(shaders),
+          variant_(std::move(variant)),
+          reads_(reads),
+          set_up_(std::move(set_up)) {}
+    /// Set up.
+    Result<gl::Program*> program_for(const GpuMaterial& material);
 
-/// Draws the blended items with such a program, everything behind something else before it: the
-/// items by their middles, of each the faces that look away first, and these by their middles.
-void draw_blended_surfaces(RendererState& state, gl::Pass& pass, gl::Program& program,
-                           const gl::State& base, const Camera& camera);
+  private:
+    ShaderVariants& shaders_;
+    ShaderVariant variant_;
+    SlotBits reads_;
+    std::function<void(gl::Program&)> set_up_;
+    std::map<SlotBits, gl::Program*> ready_;
+};
+
+/// Draws the items of a set in that order.
+Status draw_surfaces(const RendererState& state, gl::Pass& pass, SurfacePrograms& programs,
+                     const gl::State& base, const std::vector<std::size_t>& order,
+                     SurfaceSet surfaces);
+
+/// Draws the blended items, everything behind something else before it: the items by their middles,
+/// of each the faces that look away first, and these by their middles.
+Status draw_blended_surfaces(RendererState& state, gl::Pass& pass, SurfacePrograms& programs,
+                             const gl::State& base, const Camera& camera);
 
 /// Whether a side's picture comes without the G-buffer. Channels are read from it on either path.
 bool is_forward(const View& view, const Shading& shading);

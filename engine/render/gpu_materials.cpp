@@ -29,7 +29,7 @@ struct SlotBlock {
     glm::vec4 multiply;
     glm::vec4 add;
     glm::vec4 uv_row_u;  ///< u' = dot(xyz, (u, v, 1)); w: the UV set
-    glm::vec4 uv_row_v;  ///< v' likewise; w: 1 where there is a texture
+    glm::vec4 uv_row_v;  ///< v' likewise
 };
 struct MaterialBlock {
     std::array<SlotBlock, kTextureCount> slots;
@@ -43,7 +43,7 @@ SlotBlock slot_block(const SurfaceSlot& slot) {
     return {.multiply = slot.multiply,
             .add = slot.add,
             .uv_row_u = {rows.u, static_cast<float>(slot.texture.uv_set)},
-            .uv_row_v = {rows.v, slot.texture.pixels ? 1.0f : 0.0f}};
+            .uv_row_v = {rows.v, 0.0f}};
 }
 
 MaterialBlock material_block(const SurfaceMaterial& surface) {
@@ -142,7 +142,7 @@ bool same_layout(const Image& a, const Image& b) {
 
 }  // namespace
 
-GpuMaterials::GpuMaterials(gl::Texture white) : white_(std::move(white)) {
+GpuMaterials::GpuMaterials() {
     for (const Wrap u : {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp})
         for (const Wrap v : {Wrap::Repeat, Wrap::Mirror, Wrap::Clamp})
             for (const Filter filter : {Filter::Linear, Filter::Nearest})
@@ -151,12 +151,11 @@ GpuMaterials::GpuMaterials(gl::Texture white) : white_(std::move(white)) {
     plain_.emplace(GpuMaterial{surface, {}, samplers_of(surface), block_buffer(surface)});
 }
 
-Result<GpuMaterials> GpuMaterials::make() {
-    Result<gl::Texture> white = gl::Texture::make({.label = "white", .size = {1, 1}});
-    if (!white) return passed_on(white);
-    const std::array<std::uint8_t, 4> texel = {255, 255, 255, 255};
-    white->upload({.size = {1, 1}}, std::span<const std::uint8_t>(texel));
-    return GpuMaterials(std::move(*white));
+SlotBits textured_slots(const GpuMaterial& material) {
+    SlotBits bits = 0;
+    for (std::size_t i = 0; i < material.textures.size(); ++i)
+        if (material.textures[i]) bits |= 1u << i;
+    return bits;
 }
 
 bool GpuMaterials::used_elsewhere(const ImagePtr& pixels, int source_material) const {
@@ -266,9 +265,9 @@ void GpuMaterials::bind(gl::Pass& pass, gl::Program& program, const GpuMaterial&
     program.set_block("MaterialBlock", kMaterialBlockSlot);
     pass.bind_block(kMaterialBlockSlot, material.block);
     for (std::size_t i = 0; i < material.textures.size(); ++i)
-        pass.bind_texture(program, kSamplerNames[i], static_cast<int>(i),
-                          material.textures[i] ? material.textures[i]->texture : white_,
-                          material.samplers[i]);
+        if (material.textures[i])
+            pass.bind_texture(program, kSamplerNames[i], static_cast<int>(i),
+                              material.textures[i]->texture, material.samplers[i]);
 }
 
 }  // namespace patina::render

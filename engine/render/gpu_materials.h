@@ -5,6 +5,7 @@
 /// uniform block.
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,9 +37,16 @@ struct GpuMaterial {
     gl::Buffer block;  ///< `MaterialBlock` of passes/material.glsl
 };
 
+/// A bit for each of the kTextureCount slots, the first the lowest.
+using SlotBits = std::uint32_t;
+inline constexpr SlotBits kBaseColorSlot = 1;
+inline constexpr SlotBits kAllSlots = (1u << kTextureCount) - 1;
+/// Those that have a texture.
+SlotBits textured_slots(const GpuMaterial& material);
+
 class GpuMaterials {
   public:
-    static Result<GpuMaterials> make();
+    GpuMaterials();
 
     Status set(int source_material, const SurfaceMaterial& surface,
                const std::optional<TexelRect>& changed);
@@ -54,7 +62,6 @@ class GpuMaterials {
     void bind(gl::Pass& pass, gl::Program& program, const GpuMaterial& material) const;
 
   private:
-    explicit GpuMaterials(gl::Texture white);
     /// The pixels themselves, which are held: the address cannot come back as other content.
     using TextureKey = std::pair<ImagePtr, TexelMeaning>;
     Result<GpuTexturePtr> texture_of(const TextureKey& wanted, const GpuTexturePtr& before,
@@ -64,7 +71,6 @@ class GpuMaterials {
     std::array<const gl::Sampler*, kTextureCount> samplers_of(const SurfaceMaterial& surface) const;
     void forget_unused();
 
-    gl::Texture white_;
     std::map<std::array<int, 3>, gl::Sampler> samplers_;  // by wrap u, wrap v, filter
     std::map<TextureKey, GpuTexturePtr> textures_;
     std::map<int, GpuMaterial> materials_;

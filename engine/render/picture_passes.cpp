@@ -279,9 +279,8 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
     ShaderVariant variant{kSurfaceVertexFile, "passes/forward.frag", {}};
     add_shading_constants(variant.constants, state, side, target);
     variant.constants.push_back(shader_constant("FILTER_NORMALS", filters_normals(side.view)));
-    const Result<LitProgram> found = lit_program(state, side, variant);
-    if (!found) return passed_on(found);
-    const auto& [program, tables] = *found;
+    const auto tables = environment_tables(state, side.shading.terms);
+    if (!tables) return passed_on(tables);
     const bool blended = surfaces == SurfaceSet::Blended;
     const gl::State base =
         blended ? gl::State{.write_depth = false, .blend = gl::Blend::Premultiplied} : gl::State{};
@@ -297,16 +296,15 @@ Status draw_forward(RendererState& state, const SideView& side, const FrameCamer
         description.clear_depth = 1.0f;
     }
     gl::Pass pass(description);
-    set_camera(program, camera, target);
-    program.set("clip_from_world", camera.clip_from_world);
-    program.set("level_bias", camera.level_bias);
-    bind_light(pass, program, state, {side, target, tables});
-    if (blended)
-        draw_blended_surfaces(state, pass, program, base, side.view.camera);
-    else
-        draw_surfaces(state, pass, program, base,
-                      front_to_back(state.scene->items, side.view.camera), surfaces);
-    return {};
+    SurfacePrograms programs(state.shaders, variant, kAllSlots, [&](gl::Program& program) {
+        set_camera(program, camera, target);
+        program.set("clip_from_world", camera.clip_from_world);
+        program.set("level_bias", camera.level_bias);
+        bind_light(pass, program, state, {side, target, **tables});
+    });
+    if (blended) return draw_blended_surfaces(state, pass, programs, base, side.view.camera);
+    return draw_surfaces(state, pass, programs, base,
+                         front_to_back(state.scene->items, side.view.camera), surfaces);
 }
 
 Status draw_post(RendererState& state, const SideView& side, const FrameCamera& camera,

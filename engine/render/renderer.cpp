@@ -73,12 +73,10 @@ Result<gl::Framebuffer*> SizedTarget::at(glm::ivec2 size) {
     return &*framebuffer_;
 }
 
-RendererState::RendererState(std::filesystem::path shader_folder, GpuMaterials made_materials,
-                             GpuGroundShadow made_shadow)
+RendererState::RendererState(std::filesystem::path shader_folder, GpuGroundShadow made_shadow)
     : shaders(std::move(shader_folder)),
       full_screen(gl::VertexArray::make({.label = "full screen"})),
       linear(linear_sampler()),
-      materials(std::move(made_materials)),
       shadow(std::move(made_shadow)),
       gbuffer("gbuffer", GBufferPrecision::Bytes),
       still_gbuffer("still gbuffer", GBufferPrecision::Halves),
@@ -127,13 +125,10 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Result<Renderer> Renderer::create() {
     const Result<std::filesystem::path> shaders = resource_folder("shaders");
     if (!shaders) return passed_on(shaders);
-    Result<GpuMaterials> materials = GpuMaterials::make();
-    if (!materials) return passed_on(materials);
     Result<GpuGroundShadow> shadow =
         upload_ground_shadow({.side = 1, .extent = 0.0f, .hidden = {HiddenSky{}}});
     if (!shadow) return passed_on(shadow);
-    auto state =
-        std::make_unique<RendererState>(*shaders, std::move(*materials), std::move(*shadow));
+    auto state = std::make_unique<RendererState>(*shaders, std::move(*shadow));
     if (const auto tables = environment_tables(*state, {}); !tables) return passed_on(tables);
     return Renderer(std::move(state));
 }

@@ -57,8 +57,7 @@ struct GBufferTargets {
 };
 
 struct RendererState {
-    RendererState(std::filesystem::path shader_folder, GpuMaterials made_materials,
-                  GpuGroundShadow made_shadow);
+    RendererState(std::filesystem::path shader_folder, GpuGroundShadow made_shadow);
 
     ShaderVariants shaders;
     gl::VertexArray full_screen;

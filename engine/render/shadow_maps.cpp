@@ -21,7 +21,7 @@ gl::Viewport place_of(std::size_t map) {
     return {{static_cast<int>(map) * kMapSide, 0}, {kMapSide, kMapSide}};
 }
 
-void draw_map(RendererState& state, std::size_t map, gl::Program& program) {
+Status draw_map(RendererState& state, std::size_t map) {
     const ShadowView seen =
         shadow_view(state.scene->bounds_world, state.shadow_maps.plan.lights[map]);
     gl::Pass pass({.label = "shadow map",
@@ -29,10 +29,12 @@ void draw_map(RendererState& state, std::size_t map, gl::Program& program) {
                    .viewport = place_of(map),
                    .scissor = place_of(map),
                    .clear_depth = 1.0f});
-    program.set("clip_from_world", seen.clip_from_world);
+    SurfacePrograms programs(
+        state.shaders, {kSurfaceVertexFile, "passes/shadow.frag", {}}, kBaseColorSlot,
+        [&](gl::Program& program) { program.set("clip_from_world", seen.clip_from_world); });
     std::vector<std::size_t> order(state.scene->items.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    draw_surfaces(state, pass, program, {}, order, kShadowCasters);
+    return draw_surfaces(state, pass, programs, {}, order, kShadowCasters);
 }
 
 /// A texture for so many maps. What it held is gone where it has to be another.
@@ -79,14 +81,11 @@ Status draw_shadow_maps(RendererState& state, const View& view,
     const std::vector<ShadowLight>& lights = shadows.plan.lights;
     if (lights.empty() || (!shadows.stale && shadows.drawn == lights)) return {};
     if (Status room = make_room(shadows, lights.size()); !room) return room;
-    const Result<gl::Program*> program =
-        state.shaders.program({kSurfaceVertexFile, "passes/shadow.frag", {}});
-    if (!program) return passed_on(program);
     const PassTimers::Scope timed = state.timers.measure(FrameSide::Shared, "Shadows");
     shadows.drawn.resize(shadows.stale ? 0 : std::min(shadows.drawn.size(), lights.size()));
     for (std::size_t map = 0; map < lights.size(); ++map)
         if (map >= shadows.drawn.size() || !(shadows.drawn[map] == lights[map]))
-            draw_map(state, map, **program);
+            if (Status drawn = draw_map(state, map); !drawn) return drawn;
     shadows.drawn = lights;
     shadows.stale = false;
     return {};

@@ -13,22 +13,21 @@ constexpr glm::vec4 kLineColor(0.27f, 0.75f, 0.66f, 0.7f);
 
 /// The wires of what is nearest, alone: a triangle behind another is hidden by it.
 Status draw_lines(RendererState& state, const View& view, const gl::Framebuffer& lines) {
-    const Result<gl::Program*> found =
-        state.shaders.program({kSurfaceVertexFile, "passes/wires.frag", {}, "passes/wires.geom"});
-    if (!found) return passed_on(found);
-    gl::Program& program = **found;
     const FrameCamera camera =
         frame_camera(view, state.scene->bounds_world, lines.size(), glm::vec2(0.0f));
-    program.set("clip_from_world", camera.clip_from_world);
-    program.set("picture_size", glm::vec2(lines.size()));
-    program.set("line_color", kLineColor);
+    SurfacePrograms programs(state.shaders,
+                             {kSurfaceVertexFile, "passes/wires.frag", {}, "passes/wires.geom"}, 0,
+                             [&](gl::Program& program) {
+                                 program.set("clip_from_world", camera.clip_from_world);
+                                 program.set("picture_size", glm::vec2(lines.size()));
+                                 program.set("line_color", kLineColor);
+                             });
     gl::Pass pass({.label = "wires",
                    .target = &lines,
                    .clear_colors = {glm::vec4(0.0f)},
                    .clear_depth = 1.0f});
-    draw_surfaces(state, pass, program, {}, front_to_back(state.scene->items, view.camera),
-                  SurfaceSet::All);
-    return {};
+    return draw_surfaces(state, pass, programs, {}, front_to_back(state.scene->items, view.camera),
+                         SurfaceSet::All);
 }
 
 Status lay_lines_over(RendererState& state, const gl::Framebuffer& lines, glm::ivec2 offset,

@@ -3,7 +3,8 @@
 // them, and the extensions KHR_texture_transform, _materials_ior, _specular, _emissive_strength.
 // Laid out in engine/render/gpu_materials.cpp.
 
-// Constant: FILTER_NORMALS, 1 where roughness takes in what of the normal map is finer than a pixel.
+// Constants: TEXTURED_SLOTS, a bit for each slot that has a texture; FILTER_NORMALS, 1 where roughness
+// takes in what of the normal map is finer than a pixel.
 
 #include "shared/brdf.glsl"
 #include "shared/normal_blend.glsl"
@@ -22,7 +23,7 @@ struct MaterialSlot {
     vec4 multiply;
     vec4 add;
     vec4 uv_row_u;  // w: the UV set
-    vec4 uv_row_v;  // w: 1 where there is a texture
+    vec4 uv_row_v;
 };
 layout(std140) uniform MaterialBlock {
     MaterialSlot slots[7];
@@ -62,7 +63,7 @@ struct Material {
 };
 
 bool has_texture(int slot) {
-    return material.slots[slot].uv_row_v.w > 0.5;
+    return (TEXTURED_SLOTS & (1 << slot)) != 0;
 }
 
 /// Where a slot reads its texture.

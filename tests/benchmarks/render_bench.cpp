@@ -129,7 +129,6 @@ void frame_bare(benchmark::State& run) {
     const gl::HeadlessContext context = headless();
     const ScenePtr scene = shader_ball_scene();
     RendererState state(value_or_exit(resource_folder("shaders")),
-                        value_or_exit(GpuMaterials::make()),
                         value_or_exit(upload_ground_shadow({.side = 1, .hidden = {HiddenSky{}}})));
     state.scene = upload_scene(scene);
     state.environment = value_or_exit(
