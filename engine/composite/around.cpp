@@ -9,7 +9,7 @@
 
 #include "composite/around_kernels.h"
 #include "composite/blend_kernels.h"
-#include "composite/run_tile.h"
+#include "composite/tile_runner.h"
 #include "core/formulae/formulae.h"
 #include "core/parallel.h"
 
@@ -103,24 +103,25 @@ class Preparation {
             rows.begin, rows.end, kStripRowsPerTask, [&](std::int64_t first, std::int64_t last) {
                 if (progress.cancelled()) return;
                 TilePlanes tile(job_.program->depths);
+                TileRunner runner(run_, tile);
                 std::vector<float> line(static_cast<std::size_t>(job_.size + 2 * planes_.reach()) +
                                         kPadding);
                 std::vector<float> sums(static_cast<std::size_t>(job_.size) + kPadding);
                 for (auto i = static_cast<int>(first); i < static_cast<int>(last); ++i) {
                     const int y = wrapped(i, job_.size);
-                    composite_row(y, tile);
+                    composite_row(y, runner, tile);
                     if (blurs(planes_.adjustment())) blur_row(y, line, sums);
                 }
             });
     }
 
   private:
-    void composite_row(int y, TilePlanes& tile) {
+    void composite_row(int y, TileRunner& runner, TilePlanes& tile) {
         for_each_part(read_columns_, job_.size, [&](int first, int last) {
             for (int x = first; x < last; x += kTileTexels) {
                 const TileSpan span{
                     .x = x, .y = y, .count = std::min(kTileTexels, last - x), .size = job_.size};
-                run_tile(run_, span, tile);
+                runner.run(span);
                 keep(span, tile);
             }
         });

@@ -14,28 +14,29 @@ HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-/// Calls `blend` with what reads the colours of the source.
-template <class Blend>
-HWY_INLINE void with_colors(const BlendTask& task, const Blend& blend) {
-    const StoredTexels& stored = task.stored;
-    const auto texels = [&]<int kChannels, class Value>() {
-        blend(TexelReader<std::uint8_t, kChannels, 0, 3, Value>(stored.texels, stored.row_bytes,
-                                                                task.count));
-    };
-    if (stored.texels == nullptr) return blend(PlaneReader<3>(task.source));
-    if (stored.channels == 3)
-        return stored.decode ? texels.template operator()<3, Decoded>()
-                             : texels.template operator()<3, AsStored>();
-    return stored.decode ? texels.template operator()<4, Decoded>()
-                         : texels.template operator()<4, AsStored>();
-}
+/// What reads the source of a task: planes, or texels as they are stored.
+template <int kComponents>
+struct FromPlanes {
+    static HWY_INLINE PlaneReader<kComponents> of(const BlendTask& task) {
+        return PlaneReader<kComponents>(task.source);
+    }
+};
+template <int kChannels, int kComponents, class Value = AsStored>
+struct FromTexels {
+    static HWY_INLINE TexelReader<std::uint8_t, kChannels, 0, kComponents, Value> of(
+        const BlendTask& task) {
+        return {task.stored.texels, task.stored.row_bytes, task.count};
+    }
+};
 
-/// The same of scalars.
-template <class Blend>
-HWY_INLINE void with_scalars(const BlendTask& task, const Blend& blend) {
-    if (task.stored.texels == nullptr) return blend(PlaneReader<1>(task.source));
-    blend(
-        TexelReader<std::uint8_t, 1, 0, 1>(task.stored.texels, task.stored.row_bytes, task.count));
+/// What `choose` gives for that which reads the colours of the source.
+template <class Choose>
+BlendKernel for_colors(const BlendTask& task, const Choose& choose) {
+    const StoredTexels& stored = task.stored;
+    if (stored.texels == nullptr) return choose(FromPlanes<3>());
+    if (stored.channels == 3)
+        return stored.decode ? choose(FromTexels<3, 3, Decoded>()) : choose(FromTexels<3, 3>());
+    return stored.decode ? choose(FromTexels<4, 3, Decoded>()) : choose(FromTexels<4, 3>());
 }
 
 /// Calls `at(i)` for lanes of the blocks in which the weight may be more than 0.
@@ -58,10 +59,12 @@ HWY_INLINE Real over_covered(Real backdrop, Real coverage, Real source, Real ble
     return select(weight > 0.0f, color, backdrop);
 }
 
-/// The pixel loop of the modes that take each component by itself. Takes the task by value: no
-/// float that is stored can be a part of it.
+/// The pixel loop of the modes that take each component by itself. It works on a copy of the task:
+/// no float that is stored can be a part of it.
 template <class Mode, int kComponents, bool kCovered, class Source>
-HWY_NOINLINE HWY_FLATTEN void blend_components(const BlendTask task, const Source from) {
+HWY_NOINLINE HWY_FLATTEN void blend_components(const BlendTask& given) {
+    const BlendTask task = given;
+    const auto from = Source::of(task);
     for_each_lanes(task, [&](std::size_t i) {
         const Real weight = weight_at(task, i);
         const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
@@ -79,17 +82,17 @@ HWY_NOINLINE HWY_FLATTEN void blend_components(const BlendTask task, const Sourc
 }
 
 template <class Mode>
-void blend_separable(const BlendTask& task) {
+BlendKernel separable(const BlendTask& task) {
     const bool color = component_count(task.channel) == 3;
     if (task.target_coverage != nullptr)
-        return color ? blend_components<Mode, 3, true>(task, PlaneReader<3>(task.source))
-                     : blend_components<Mode, 1, true>(task, PlaneReader<1>(task.source));
+        return color ? blend_components<Mode, 3, true, FromPlanes<3>>
+                     : blend_components<Mode, 1, true, FromPlanes<1>>;
     if (color)
-        with_colors(task,
-                    [&](const auto& source) { blend_components<Mode, 3, false>(task, source); });
-    else
-        with_scalars(task,
-                     [&](const auto& source) { blend_components<Mode, 1, false>(task, source); });
+        return for_colors(task, []<class Source>(Source) -> BlendKernel {
+            return blend_components<Mode, 3, false, Source>;
+        });
+    return task.stored.texels == nullptr ? blend_components<Mode, 1, false, FromPlanes<1>>
+                                         : blend_components<Mode, 1, false, FromTexels<1, 1>>;
 }
 
 /// The pixel loop of the modes of normals. Relief modes lay the source, faded to flat by the
@@ -111,14 +114,16 @@ HWY_NOINLINE HWY_FLATTEN void blend_directions(const BlendTask& task) {
 }
 
 template <class Mode>
-void blend_normals(const BlendTask& task) {
-    task.target_coverage != nullptr ? blend_directions<Mode, true>(task)
-                                    : blend_directions<Mode, false>(task);
+BlendKernel of_normals(const BlendTask& task) {
+    return task.target_coverage != nullptr ? blend_directions<Mode, true>
+                                           : blend_directions<Mode, false>;
 }
 
 /// The pixel loop of the modes that look at a colour as a whole.
 template <class Mode, bool kCovered, class Source>
-HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask task, const Source from) {
+HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask& given) {
+    const BlendTask task = given;
+    const auto from = Source::of(task);
     for_each_lanes(task, [&](std::size_t i) {
         const Real weight = weight_at(task, i);
         const Real coverage = kCovered ? load(task.target_coverage + i) : Real(1.0f);
@@ -139,10 +144,11 @@ HWY_NOINLINE HWY_FLATTEN void blend_whole_colors(const BlendTask task, const Sou
 }
 
 template <class Mode>
-void blend_colors(const BlendTask& task) {
-    if (task.target_coverage != nullptr)
-        return blend_whole_colors<Mode, true>(task, PlaneReader<3>(task.source));
-    with_colors(task, [&](const auto& source) { blend_whole_colors<Mode, false>(task, source); });
+BlendKernel of_colors(const BlendTask& task) {
+    if (task.target_coverage != nullptr) return blend_whole_colors<Mode, true, FromPlanes<3>>;
+    return for_colors(task, []<class Source>(Source) -> BlendKernel {
+        return blend_whole_colors<Mode, false, Source>;
+    });
 }
 
 /// The source takes the place of the accumulator, its clear parts included; an accumulator that is
@@ -229,61 +235,65 @@ struct NormalLerp {
 };
 
 void replace(const BlendTask& task) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(task.count); i += lane_count()) {
-        for (int k = 0; k < component_count(task.channel); ++k)
-            if (task.source[k].data != task.target[k])
-                store(load(task.source[k], i), task.target[k] + i);
-        if (task.target_coverage != nullptr) store(weight_at(task, i), task.target_coverage + i);
+    const auto count = static_cast<std::size_t>(task.count);
+    for (int k = 0; k < component_count(task.channel); ++k) {
+        if (task.source[k].data == task.target[k]) continue;
+        for (std::size_t i = 0; i < count; i += lane_count())
+            store(load(task.source[k], i), task.target[k] + i);
     }
+    if (task.target_coverage == nullptr) return;
+    for (std::size_t i = 0; i < count; i += lane_count())
+        store(weight_at(task, i), task.target_coverage + i);
 }
 
-void blend_by_mode(const BlendTask& task) {
-    if (task.first) return replace(task);
+BlendKernel kernel_for(const BlendTask& task) {
+    if (task.first) return replace;
     switch (task.mode) {
         case BlendMode::Normal:
-            return task.channel == Channel::Normal ? blend_normals<NormalLerp>(task)
-                                                   : blend_separable<NormalMode>(task);
+            return task.channel == Channel::Normal ? of_normals<NormalLerp>(task)
+                                                   : separable<NormalMode>(task);
         case BlendMode::PassThrough:  // its layers are on the accumulator already: they replace it
         case BlendMode::Replace:
-            return blend_replacing(task);
+            return blend_replacing;
 #define PATINA_BLEND_CASE(NAME, FORMULA) \
     case BlendMode::NAME:                \
-        return blend_separable<NAME>(task);
+        return separable<NAME>(task);
             PATINA_SCALAR_MODES(PATINA_BLEND_CASE)
 #undef PATINA_BLEND_CASE
         case BlendMode::HueW3c:
-            return blend_colors<HueW3c>(task);
+            return of_colors<HueW3c>(task);
         case BlendMode::SaturationW3c:
-            return blend_colors<SaturationW3c>(task);
+            return of_colors<SaturationW3c>(task);
         case BlendMode::ColorW3c:
-            return blend_colors<ColorW3c>(task);
+            return of_colors<ColorW3c>(task);
         case BlendMode::LuminosityW3c:
-            return blend_colors<LuminosityW3c>(task);
+            return of_colors<LuminosityW3c>(task);
         case BlendMode::TintHsv:
-            return blend_colors<TintHsv>(task);
+            return of_colors<TintHsv>(task);
         case BlendMode::SaturationHsv:
-            return blend_colors<SaturationHsv>(task);
+            return of_colors<SaturationHsv>(task);
         case BlendMode::ColorHsv:
-            return blend_colors<ColorHsv>(task);
+            return of_colors<ColorHsv>(task);
         case BlendMode::ValueHsv:
-            return blend_colors<ValueHsv>(task);
+            return of_colors<ValueHsv>(task);
         case BlendMode::NormalRnm:
-            return blend_normals<NormalRnm>(task);
+            return of_normals<NormalRnm>(task);
         case BlendMode::NormalUdn:
-            return blend_normals<NormalUdn>(task);
+            return of_normals<NormalUdn>(task);
         case BlendMode::NormalWhiteout:
-            return blend_normals<NormalWhiteout>(task);
+            return of_normals<NormalWhiteout>(task);
         case BlendMode::NormalPartial:
-            return blend_normals<NormalPartial>(task);
+            return of_normals<NormalPartial>(task);
         case BlendMode::HeightAdd:
-            return blend_separable<HeightAdd>(task);
+            return separable<HeightAdd>(task);
         case BlendMode::HeightMax:
-            return blend_separable<HeightMax>(task);
+            return separable<HeightMax>(task);
         case BlendMode::HeightMin:
-            return blend_separable<HeightMin>(task);
+            return separable<HeightMin>(task);
         case BlendMode::HeightSubtract:
-            return blend_separable<HeightSubtract>(task);
+            return separable<HeightSubtract>(task);
     }
+    return replace;  // of no mode that there is
 }
 
 HWY_FLATTEN void multiply_planes(const ReadPlane& a, const ReadPlane& b, float* product,
@@ -312,13 +322,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace patina {
 
-HWY_EXPORT(blend_by_mode);
+HWY_EXPORT(kernel_for);
 HWY_EXPORT(multiply_planes);
 HWY_EXPORT(encode_planes);
 HWY_EXPORT(decode_planes);
 
-void blend_tile(const BlendTask& task) {
-    HWY_DYNAMIC_DISPATCH(blend_by_mode)(task);
+BlendKernel blend_kernel(const BlendTask& task) {
+    return HWY_DYNAMIC_DISPATCH(kernel_for)(task);
 }
 
 bool blends_stored(Channel channel, BlendMode mode, const StoredTexels& texels) {

@@ -24,8 +24,13 @@ struct BlendTask {
     ReadPlane source_coverage = {};
     float amount = 1.0f;
 };
+/// The loop over the texels of such tasks, which are alike but for amounts, places and counts.
 /// Texels whose weight is 0 keep their bits.
-void blend_tile(const BlendTask& task);
+using BlendKernel = void (*)(const BlendTask&);
+BlendKernel blend_kernel(const BlendTask& task);
+inline void blend_tile(const BlendTask& task) {
+    blend_kernel(task)(task);
+}
 
 /// Whether blend_tile reads such texels by itself, where the accumulator is opaque.
 bool blends_stored(Channel channel, BlendMode mode, const StoredTexels& texels);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <optional>
 
 #include "composite/output_kernels.h"
 #include "core/parallel.h"
@@ -39,7 +40,8 @@ class RowCompositor {
     TileRun run_;
     TileRun height_run_;
     TilePlanes planes_;
-    bool relief_;
+    TileRunner runner_;
+    std::optional<TileRunner> height_runner_;  ///< where heights bend the normals
     /// Heights of three successive rows, from one texel left of the rectangle to one right of it.
     std::array<std::vector<float>, 3> heights_;
     int next_height_row_;
@@ -64,11 +66,12 @@ RowCompositor::RowCompositor(const TilesJob& job, const AroundList& around, cons
                   .wanted = channel_bit(Channel::Height),
                   .around = &around},
       planes_(job.program->depths),
-      relief_(has_relief(job)),
+      runner_(run_, planes_),
       next_height_row_(-2) {
     for (const CachePoint& point : job.caches)
         if (point.read) height_run_.caches.push_back(point);
-    if (!relief_) return;
+    if (!has_relief(job)) return;
+    height_runner_.emplace(height_run_, planes_);
     const auto width = static_cast<std::size_t>(job.rect.x1 - job.rect.x0);
     for (std::vector<float>& row : heights_) row.resize(width + 2 + kMaxLanes);
 }
@@ -81,7 +84,7 @@ void RowCompositor::for_each_span(int y, const Visit& visit) {
 }
 
 float RowCompositor::height_at(int x, int y) {
-    run_tile(height_run_, {.x = x, .y = y, .count = 1, .size = job_.size}, planes_);
+    height_runner_->run({.x = x, .y = y, .count = 1, .size = job_.size});
     return planes_.channel(0, Channel::Height)[0];
 }
 
@@ -89,7 +92,7 @@ float RowCompositor::height_at(int x, int y) {
 void RowCompositor::composite_heights(int y, std::vector<float>& row) {
     const int inside_y = wrapped(y, job_.size);
     for_each_span(inside_y, [&](const TileSpan& span) {
-        run_tile(height_run_, span, planes_);
+        height_runner_->run(span);
         std::memcpy(row.data() + 1 + span.x - job_.rect.x0, planes_.channel(0, Channel::Height),
                     static_cast<std::size_t>(span.count) * sizeof(float));
     });
@@ -119,10 +122,10 @@ void RowCompositor::add_relief(const TileSpan& span) {
 }
 
 void RowCompositor::composite_row(int y) {
-    if (relief_) ensure_heights(y);
+    if (height_runner_) ensure_heights(y);
     for_each_span(y, [&](const TileSpan& span) {
-        run_tile(run_, span, planes_);
-        if (relief_) add_relief(span);
+        runner_.run(span);
+        if (height_runner_) add_relief(span);
         sink_(span, planes_);
     });
 }

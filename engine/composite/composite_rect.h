@@ -4,7 +4,7 @@
 /// Compositing a rectangle of the maps: tiles of rows, in parallel.
 
 #include "composite/composite.h"
-#include "composite/run_tile.h"
+#include "composite/tile_runner.h"
 
 namespace patina {
 

@@ -2,7 +2,7 @@
 #include "composite/compile.h"
 #include "composite/composite.h"
 #include "composite/composite_rect.h"
-#include "composite/run_tile.h"
+#include "composite/tile_runner.h"
 #include "composite/uniform_values.h"
 
 namespace patina {
@@ -99,7 +99,7 @@ Result<std::vector<ExplainStep>> explain_texel(const Material& material,
                               steps.back().mask = mask;
                           },
                       .around = &around.list()};
-    run_tile(run, {.x = x, .y = y, .count = 1, .size = size}, planes);
+    TileRunner(run, planes).run({.x = x, .y = y, .count = 1, .size = size});
     if (bent) steps.push_back(step_from_height(program, bound, size, {x, y, x + 1, y + 1}));
     return steps;
 }

@@ -22,25 +22,44 @@ HWY_INLINE Real entry_of(const MaskTask& task, Real value) {
 }
 
 /// Lays the entry on lane_count() texels of the mask and returns what is there then.
-template <class Combine, class Source>
+template <class Combine, bool kWhole, class Source>
 HWY_INLINE Real joined_lanes(const MaskTask& task, const Source& from, std::size_t i) {
     Real value;
     from.load(i, &value);
-    value = Combine::joined(task.mask + i, entry_of(task, value), task.opacity);
+    value = Combine::template joined<kWhole>(task.mask + i, entry_of(task, value), task.opacity);
     if (task.last) value = formulae::finished_mask(value, task.invert_mask);
     store(value, task.mask + i);
     return value;
 }
 
-/// How far the texels from `i` on are from 0; those beyond `count` hold anything and do not count.
-HWY_INLINE Real counted(Real value, std::size_t i, std::size_t count) {
-    const auto inside = hn::FirstN(RealLanes(), count - i);
-    return Real(hn::Abs(hn::IfThenElseZero(inside, value.lanes)));
+/// The bits of `value` beside those of `seen`: all 0 but for signs where all numbers were 0.
+HWY_INLINE Real seen_beside(Real seen, Real value) {
+    return Real(hn::Or(seen.lanes, value.lanes));
 }
 
-/// Takes the task by value: no float that is stored can be a part of it.
-template <class Combine, class Source>
-HWY_NOINLINE HWY_FLATTEN TileBlocks join(const MaskTask task, const Source from) {
+/// The texels from `i` on; those beyond `count` hold anything and do not count.
+HWY_INLINE Real counted(Real value, std::size_t i, std::size_t count) {
+    return Real(hn::IfThenElseZero(hn::FirstN(RealLanes(), count - i), value.lanes));
+}
+
+/// What reads the entry: a plane, or texels as they are stored.
+struct FromPlane {
+    static HWY_INLINE PlaneReader<1> of(const MaskTask& task) {
+        return PlaneReader<1>(&task.source);
+    }
+};
+template <int kChannels, int kIndex>
+struct FromTexels {
+    static HWY_INLINE TexelReader<std::uint8_t, kChannels, kIndex, 1> of(const MaskTask& task) {
+        return {task.stored.texels, task.stored.row_bytes, task.count};
+    }
+};
+
+/// Works on a copy of the task: no float that is stored can be a part of it.
+template <class Combine, class Source, bool kWhole>
+HWY_NOINLINE HWY_FLATTEN TileBlocks join(const MaskTask& given) {
+    const MaskTask task = given;
+    const auto from = Source::of(task);
     const auto count = static_cast<std::size_t>(task.count);
     // What is multiplied stays 0 where it is 0.
     const bool keeps_zero = Combine::kKeepsZero && !(task.last && task.invert_mask);
@@ -50,11 +69,16 @@ HWY_NOINLINE HWY_FLATTEN TileBlocks join(const MaskTask task, const Source from)
         const auto block = static_cast<std::size_t>(__builtin_ctz(left));
         const std::size_t begin = block * kBlockTexels;
         const std::size_t past = begin + kBlockTexels;
-        const std::size_t end = past < count ? past : count;
-        Real most = 0.0f;
-        for (std::size_t i = begin; i < end; i += lane_count())
-            most = max(most, counted(joined_lanes<Combine>(task, from, i), i, count));
-        if (!hn::AllTrue(RealLanes(), (most <= 0.0f).mask)) filled |= left & -left;
+        Real seen = 0.0f;
+        if (past <= count)
+            for (std::size_t i = begin; i < past; i += lane_count())
+                seen = seen_beside(seen, joined_lanes<Combine, kWhole>(task, from, i));
+        else
+            for (std::size_t i = begin; i < count; i += lane_count())
+                seen = seen_beside(seen,
+                                   counted(joined_lanes<Combine, kWhole>(task, from, i), i, count));
+        const auto empty = hn::Eq(hn::Abs(seen.lanes), hn::Zero(RealLanes()));
+        if (!hn::AllTrue(RealLanes(), empty)) filled |= left & -left;
     }
     return filled;
 }
@@ -63,44 +87,56 @@ HWY_NOINLINE HWY_FLATTEN TileBlocks join(const MaskTask task, const Source from)
 struct First {
     static constexpr bool kKeepsZero = false;
     static constexpr bool kReadsStored = true;
-    static HWY_INLINE Real joined(const float*, Real entry, float) { return entry; }
+    template <bool kWhole>
+    static HWY_INLINE Real joined(const float*, Real entry, float) {
+        return entry;
+    }
 };
 
-#define PATINA_COMBINE(NAME, FORMULA)                                                 \
-    struct NAME {                                                                     \
-        static constexpr bool kKeepsZero = BlendMode::NAME == BlendMode::Multiply;    \
-        static constexpr bool kReadsStored = reads_stored(BlendMode::NAME);           \
-        static HWY_INLINE Real joined(const float* mask, Real entry, float opacity) { \
-            const Real below = load(mask);                                            \
-            return mix(below, formulae::FORMULA(below, entry), opacity);              \
-        }                                                                             \
+/// Of a mode, at an opacity; kWhole: at 1, where that is known. The same numbers either way.
+#define PATINA_COMBINE(NAME, FORMULA)                                                    \
+    struct NAME {                                                                        \
+        static constexpr bool kKeepsZero = BlendMode::NAME == BlendMode::Multiply;       \
+        static constexpr bool kReadsStored = reads_stored(BlendMode::NAME);              \
+        template <bool kWhole>                                                           \
+        static HWY_INLINE Real joined(const float* mask, Real entry, float opacity) {    \
+            const Real below = load(mask);                                               \
+            const Real blended = formulae::FORMULA(below, entry);                        \
+            if (kWhole) return blended;                                                  \
+            return select(Real(opacity) >= 1.0f, blended, mix(below, blended, opacity)); \
+        }                                                                                \
     };
 PATINA_COMBINE(Replace, blend_normal)
 PATINA_SCALAR_MODES(PATINA_COMBINE)
 #undef PATINA_COMBINE
 
 template <class Combine>
-TileBlocks join_source(const MaskTask& task) {
-    const StoredTexels& stored = task.stored;
+MaskKernel joining(const MaskTask& task) {
     if constexpr (Combine::kReadsStored) {
-        if (stored.texels != nullptr && stored.channels == 1)
-            return join<Combine>(task, TexelReader<std::uint8_t, 1, 0, 1>(
-                                           stored.texels, stored.row_bytes, task.count));
-        if (stored.texels != nullptr)
-            return join<Combine>(task, TexelReader<std::uint8_t, 4, 3, 1>(
-                                           stored.texels, stored.row_bytes, task.count));
+        const bool whole = task.opacity >= 1.0f;
+        if (task.stored.texels != nullptr && task.stored.channels == 1)
+            return whole ? join<Combine, FromTexels<1, 0>, true>
+                         : join<Combine, FromTexels<1, 0>, false>;
+        if (task.stored.texels != nullptr)
+            return whole ? join<Combine, FromTexels<4, 3>, true>
+                         : join<Combine, FromTexels<4, 3>, false>;
     }
-    return join<Combine>(task, PlaneReader<1>(&task.source));
+    return join<Combine, FromPlane, false>;
 }
 
-TileBlocks join_by_combine(const MaskTask& task) {
-    if (task.first) return join_source<First>(task);
+/// Of modes that join no masks.
+TileBlocks join_nothing(const MaskTask& task) {
+    return all_blocks(task.count);
+}
+
+MaskKernel kernel_for(const MaskTask& task) {
+    if (task.first) return joining<First>(task);
     switch (task.combine) {
         case BlendMode::Replace:
-            return join_source<Replace>(task);
+            return joining<Replace>(task);
 #define PATINA_JOIN_CASE(NAME, FORMULA) \
     case BlendMode::NAME:               \
-        return join_source<NAME>(task);
+        return joining<NAME>(task);
             PATINA_SCALAR_MODES(PATINA_JOIN_CASE)
 #undef PATINA_JOIN_CASE
         case BlendMode::Normal:
@@ -121,9 +157,9 @@ TileBlocks join_by_combine(const MaskTask& task) {
         case BlendMode::HeightMin:
         case BlendMode::HeightSubtract:
         case BlendMode::PassThrough:
-            break;  // these join no masks
+            break;
     }
-    return all_blocks(task.count);
+    return join_nothing;
 }
 
 HWY_FLATTEN void share_by_height(const HeightShareTask& task) {
@@ -154,13 +190,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace patina {
 
-HWY_EXPORT(join_by_combine);
+HWY_EXPORT(kernel_for);
 HWY_EXPORT(share_by_height);
 HWY_EXPORT(fill);
 HWY_EXPORT(copy);
 
-TileBlocks join_mask_tile(const MaskTask& task) {
-    return HWY_DYNAMIC_DISPATCH(join_by_combine)(task);
+MaskKernel mask_kernel(const MaskTask& task) {
+    return HWY_DYNAMIC_DISPATCH(kernel_for)(task);
 }
 
 bool mask_reads_stored(BlendMode combine, const StoredTexels& texels) {

@@ -21,8 +21,13 @@ struct MaskTask {
     bool invert_mask = false;        ///< inverted
     int count = 0;
 };
-/// Joins one entry to the mask. Returns the blocks outside of which it is 0.
-TileBlocks join_mask_tile(const MaskTask& task);
+/// Joins one entry to the mask, for such tasks, which are alike but for amounts, places and counts.
+/// Returns the blocks outside of which the mask is 0.
+using MaskKernel = TileBlocks (*)(const MaskTask&);
+MaskKernel mask_kernel(const MaskTask& task);
+inline TileBlocks join_mask_tile(const MaskTask& task) {
+    return mask_kernel(task)(task);
+}
 
 /// Whether texels are joined as they are stored: by the modes that masks mostly have, for which
 /// there are loops of their own.
@@ -31,7 +36,7 @@ constexpr bool reads_stored(BlendMode combine) {
            combine == BlendMode::Add || combine == BlendMode::Subtract ||
            combine == BlendMode::Lighten || combine == BlendMode::Darken;
 }
-/// Whether join_mask_tile reads such texels by itself.
+/// Whether a MaskKernel reads such texels by itself.
 bool mask_reads_stored(BlendMode combine, const StoredTexels& texels);
 
 /// Where the heights of a layer and of what lies below it are, and how they decide.

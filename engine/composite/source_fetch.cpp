@@ -12,11 +12,28 @@ namespace patina {
 namespace {
 
 /// The first texel of a tile in an image that lies on the texels of the map.
-const std::byte* stored_texels(const Image& image, const TileSpan& span) {
+const std::byte* first_texel(const Image& image, const TileSpan& span) {
     const std::size_t texel_bytes =
         static_cast<std::size_t>(image.channels) * sample_bytes(image.type);
     return image.data.data() + image.row_bytes() * static_cast<std::size_t>(span.y) +
            texel_bytes * static_cast<std::size_t>(span.x);
+}
+
+/// The texels of an image, from the first on, if they are all that a source gives and `accepts`
+/// takes them as they are; else none.
+StoredTexels stored_texels(const BoundImage& bound, const AcceptsStored& accepts) {
+    if (!bound.reading.as_stored || accepts == nullptr) return {};
+    const StoredTexels stored{.texels = bound.image->data.data(),
+                              .row_bytes = bound.image->row_bytes(),
+                              .channels = bound.image->channels,
+                              .first = bound.reading.components.index[0],
+                              .decode = bound.reading.decode};
+    return accepts(stored) ? stored : StoredTexels{};
+}
+
+FetchedSource fetch_constant(const SourceRecord& record) {
+    const auto& [x, y, z] = record.constant;
+    return {{x.plane(), y.plane(), z.plane()}, uniform_one()};
 }
 
 /// What is read of an image's texels.
@@ -35,7 +52,7 @@ void read_components(const SourceRecord& record, const BoundImage& bound,
         return;
     }
     if (bound.texel_for_texel) {
-        read_tile({.texels = stored_texels(image, span),
+        read_tile({.texels = first_texel(image, span),
                    .row_bytes = image.row_bytes(),
                    .type = image.type,
                    .channels = image.channels,
@@ -88,15 +105,10 @@ FetchedSource fetch_image(const SourceFetch& from, const TileSpan& span, const T
                           const FetchTarget& target, TilePlanes& planes) {
     const SourceRecord& record = *from.record;
     const BoundImage& bound = *from.image;
-    FetchedSource fetched;
-    const bool may_be_stored = bound.reading.as_stored && from.accepts != nullptr;
-    if (may_be_stored)
-        fetched.stored = {.texels = stored_texels(*bound.image, span),
-                          .row_bytes = bound.image->row_bytes(),
-                          .channels = bound.image->channels,
-                          .first = bound.reading.components.index[0],
-                          .decode = bound.reading.decode};
-    if (!may_be_stored || !from.accepts(fetched.stored))
+    FetchedSource fetched{.stored = stored_texels(bound, from.accepts)};
+    if (fetched.stored.texels != nullptr)
+        fetched.stored.texels = texels_at(fetched.stored, span);
+    else
         fetched = fetch_components(record, bound, span, at, target);
     const bool covers = !std::get<ImageSource>(record.source).alpha_is_coverage;
     fetched.coverage = covers ? uniform_one() : fetch_coverage(record, bound, span, at, planes);
@@ -114,13 +126,20 @@ FetchedSource fetch_at(const SourceFetch& from, const TileSpan& span, const Tile
 
 }  // namespace
 
+std::optional<FetchedSource> steady_source(const SourceRecord& record, const BoundImage& bound,
+                                           const AcceptsStored& accepts) {
+    if (std::holds_alternative<ConstantSource>(record.source)) return fetch_constant(record);
+    const auto* const image = std::get_if<ImageSource>(&record.source);
+    if (image == nullptr || image->alpha_is_coverage) return std::nullopt;
+    const StoredTexels stored = stored_texels(bound, accepts);
+    if (stored.texels == nullptr) return std::nullopt;
+    return FetchedSource{.coverage = uniform_one(), .stored = stored};
+}
+
 FetchedSource fetch_source(const SourceFetch& from, const TileSpan& span, const FetchTarget& target,
                            TilePlanes& planes) {
     const SourceRecord& record = *from.record;
-    if (std::holds_alternative<ConstantSource>(record.source))
-        return {
-            {record.constant[0].plane(), record.constant[1].plane(), record.constant[2].plane()},
-            uniform_one()};
+    if (std::holds_alternative<ConstantSource>(record.source)) return fetch_constant(record);
     const bool has_map = from.texels.map != nullptr;
     if (from.chosen_parts != nullptr) {
         if (has_map)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "composite/bound_images.h"
 #include "composite/surface_sources.h"
@@ -25,6 +26,11 @@ struct SourceFetch {
 };
 /// Planes that may be overwritten; those of a scalar beyond the first hold nothing afterwards.
 using FetchTarget = std::array<float*, 3>;
+
+/// What fetch_source gives where that is the same in every tile, constants and texels that are
+/// taken as they are stored, these from the first of the image on; nothing of other sources.
+std::optional<FetchedSource> steady_source(const SourceRecord& record, const BoundImage& bound,
+                                           const AcceptsStored& accepts);
 
 /// Any source but relief, for which the run has to look around.
 /// @param target  where the components lie afterwards unless they are constant or stored

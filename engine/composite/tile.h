@@ -22,6 +22,12 @@ struct TileSpan {
     bool operator==(const TileSpan&) const = default;
 };
 
+/// Where a tile lies in texels that are given from the first of an image on.
+inline const std::byte* texels_at(const StoredTexels& image, const TileSpan& span) {
+    return image.texels + image.row_bytes * static_cast<std::size_t>(span.y) +
+           static_cast<std::size_t>(image.channels) * static_cast<std::size_t>(span.x);
+}
+
 /// A column or row, beyond the border too, of a map that repeats.
 inline int wrapped(int index, int size) {
     const int rest = index % size;

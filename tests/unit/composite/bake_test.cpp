@@ -9,6 +9,7 @@
 
 #include "composite/bake_channels.h"
 #include "composite/composite.h"
+#include "composite/composite_rect.h"
 #include "composite/random_stack.h"
 #include "composite/reference.h"
 #include "core/parallel.h"
@@ -489,6 +490,52 @@ TEST(Bake, TilesDoNotShowInARectangle) {
             }
         }
     }
+}
+
+/// Rows of more than one tile, whose last is a short one: what no layer changes, what one covers
+/// whole, and normals that heights bend.
+TEST(Bake, ATexelIsTheSameInWhicheverTileItLies) {
+    Layer bumps{.id = {1}}, wear{.id = {2}};
+    at(bumps.channels, Channel::Height) = {.enabled = true, .source = ProceduralSource{}};
+    at(bumps.channels, Channel::BaseColor) = {.enabled = true,
+                                              .source = ConstantSource{glm::vec3(0.3f)}};
+    at(wear.channels, Channel::Roughness) = {.enabled = true,
+                                             .source = ConstantSource{glm::vec3(0.9f)}};
+    wear.mask.entries = {{.id = {3}, .source = ProceduralSource{.seed = 2}}};
+    Material material;
+    material.height_scale = 0.01f;
+    material.stack = {std::make_shared<const Layer>(bumps), std::make_shared<const Layer>(wear)};
+    constexpr int kSide = kTileTexels + 77;
+    const Program program = Program::compile(material);
+    ImageTable images;
+    const auto composited = [&](const TexelRect& rect) {
+        const BoundImages bound =
+            images_for_bake(program.data(), kAllChannels, kSide, images).value();
+        MapSet maps{.size = kSide};
+        CompositeJob job{.program = &program.data(), .images = &bound, .size = kSide, .rect = rect};
+        for (const BakedMap map : kAllMaps) {
+            auto image =
+                std::make_shared<Image>(Image{.width = kSide, .height = kSide, .channels = 4});
+            image->data.resize(image->row_bytes() * kSide);
+            job.targets[static_cast<std::size_t>(map)] = image->data.data();
+            maps.maps[static_cast<std::size_t>(map)] = image;
+        }
+        EXPECT_TRUE(composite_rect(job, {}));
+        return maps;
+    };
+    const MapSet wide = composited({0, 40, kSide, 60});
+    const MapSet narrow = composited({60, 40, kSide, 60});
+    for (const BakedMap map : kAllMaps)
+        for (int y = 40; y < 60; ++y) {
+            const auto start = static_cast<std::size_t>(y * kSide + 60) * 4;
+            ASSERT_EQ(std::memcmp(wide[map]->data.data() + start, narrow[map]->data.data() + start,
+                                  std::size_t{kSide - 60} * 4),
+                      0)
+                << kBakedMapIds[static_cast<std::size_t>(map)] << " row " << y;
+            const std::byte* const orm =
+                wide[BakedMap::OcclusionRoughnessMetalness]->data.data() + start;
+            for (int x = 60; x < kSide; ++x) ASSERT_EQ(orm[4 * (x - 60)], std::byte{255});
+        }
 }
 
 TEST(Bake, NamesAnImageThatCannotBeDecoded) {

@@ -199,5 +199,15 @@ TEST(MaskCombine, EveryModeIsItsPublishedDefinition) {
     }
 }
 
+TEST(MaskCombine, AtFullOpacityAnEntryIsItsModeToTheLastBit) {
+    const auto below = seen_plane({noise_entry()});
+    const Source other = ProceduralSource{.seed = 9, .scale = 5.0f};
+    const auto own = seen_plane({{.id = {11}, .source = other}});
+    const auto found =
+        seen_plane({noise_entry(), {.id = {12}, .source = other, .combine = BlendMode::Multiply}});
+    for (std::size_t i = 0; i < found.size(); ++i)
+        ASSERT_EQ(found[i], below[i] * own[i]) << "texel " << i;
+}
+
 }  // namespace
 }  // namespace patina

@@ -1,30 +1,60 @@
 // SPDX-License-Identifier: MIT
-#include "composite/run_tile.h"
+#include "composite/tile_runner.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "composite/adjust_kernels.h"
 #include "composite/fetch_kernels.h"
-#include "composite/mask_kernels.h"
+#include "composite/tile_tasks.h"
 
 namespace patina {
 namespace {
 
-class Runner {
+/// Whether an operation has to do with the accumulator of one of its channels at its own depth.
+bool reads_or_writes(const Operation& operation, ChannelBits channel) {
+    switch (operation.code) {
+        case OpCode::ToEncoded:
+        case OpCode::ToLinear:
+        case OpCode::Blend:
+        case OpCode::Adjust:
+        case OpCode::BlendGroup:
+            return channel_bit(operation.channel) == channel;
+        case OpCode::GroupCopy:
+            return true;
+        case OpCode::MaskBegin:
+        case OpCode::MaskEntry:
+        case OpCode::MaskAdjust:
+        case OpCode::MaskHeight:
+        case OpCode::MaskKeep:
+        case OpCode::MaskClip:
+        case OpCode::GroupBegin:
+        case OpCode::Reference:
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+class TileRunner::Runner {
   public:
-    Runner(const TileRun& run, const TileSpan& span, TilePlanes& planes)
+    Runner(const TileRun& run, TilePlanes& planes)
         : run_(run),
           program_(*run.program),
-          span_(span),
           planes_(planes),
+          tasks_(run, planes),
           end_(std::min(program_.operations.size(), static_cast<std::size_t>(run.stop))),
-          wanted_(run.wanted) {}
+          wanted_(run.wanted) {
+        plan_bottom();
+    }
 
-    void run();
+    void run(const TileSpan& span);
 
   private:
-    void fill_bottom();
+    void plan_bottom();
+    const Operation* first_at_bottom(ChannelBits channel) const;
+    void fill_bottom(ChannelBits channels, int count);
     void run_until(std::size_t next, std::size_t end);
     std::size_t skipped(const Operation& operation, std::size_t next) const;
     std::size_t refer(const Operation& operation, std::size_t next);
@@ -32,8 +62,8 @@ class Runner {
     void store_caches(std::size_t next);
     bool may_jump(const Operation& operation, std::size_t next) const;
     std::size_t step(const Operation& operation, std::size_t next);
-    const Levels* levels_of(const Operation& operation) const;
-    void join_mask(const Operation& operation);
+    void join_mask(const Operation& operation, std::size_t index);
+    TileBlocks join_fetched(const Operation& operation);
     FetchedSource mask_entry(const Operation& operation);
     FetchedSource adjusted_mask(const Operation& operation);
     void share_by_height(const Operation& operation);
@@ -47,14 +77,9 @@ class Runner {
     FetchedSource child_source(const Operation& operation);
     ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
     TileBlocks blocks_of(const Operation& operation);
+    void blend_fetched(const Operation& operation, std::size_t index);
     void blend(const Operation& operation, const FetchedSource& source);
-    static bool is_opaque(const Operation& operation) {
-        return operation.depth == 0 || (operation.flags & kOpaque) != 0;
-    }
     FetchTarget scratch() { return {planes_.source(0), planes_.source(1), planes_.source(2)}; }
-    const SourceRecord& source_of(const Operation& operation) const {
-        return program_.sources[static_cast<std::size_t>(operation.source)];
-    }
     /// @param target   planes that may be overwritten
     /// @param accepts  texels that may be given as they are stored
     FetchedSource fetch(const Operation& operation, const FetchTarget& target,
@@ -68,18 +93,25 @@ class Runner {
 
     const TileRun& run_;
     const ProgramData& program_;
-    const TileSpan& span_;
     TilePlanes& planes_;
+    TileTasks tasks_;
     const std::size_t end_;  ///< of the whole run
     ChannelBits wanted_;     ///< here: within a reference what that one needs
+    TileSpan span_ = {};
+    ChannelBits bottom_ = 0;     ///< filled in every tile
+    ChannelBits unchanged_ = 0;  ///< not filled yet, and the same in every tile
 };
 
-void Runner::run() {
-    if (run_.start == 0) fill_bottom();
+void TileRunner::Runner::run(const TileSpan& span) {
+    span_ = span;
+    if (run_.start == 0) {
+        fill_bottom(bottom_, span_.count);
+        fill_bottom(std::exchange(unchanged_, ChannelBits{0}), kTileTexels);
+    }
     run_until(static_cast<std::size_t>(run_.start), end_);
 }
 
-void Runner::run_until(std::size_t next, std::size_t end) {
+void TileRunner::Runner::run_until(std::size_t next, std::size_t end) {
     for (next = resumed(next); next < end;) {
         const Operation& operation = program_.operations[next];
         const std::size_t past = skipped(operation, next);
@@ -91,7 +123,7 @@ void Runner::run_until(std::size_t next, std::size_t end) {
 
 /// Where to go on from an operation that is not wanted; `next` from one that is. A reference in
 /// which the run is to stop is wanted.
-std::size_t Runner::skipped(const Operation& operation, std::size_t next) const {
+std::size_t TileRunner::Runner::skipped(const Operation& operation, std::size_t next) const {
     if ((operation.channels & wanted_) != 0) return next;
     if (operation.code != OpCode::Reference) return next + 1;
     const auto past = static_cast<std::size_t>(operation.jump);
@@ -99,7 +131,7 @@ std::size_t Runner::skipped(const Operation& operation, std::size_t next) const 
 }
 
 /// Runs the operations of a layer that is referred to.
-std::size_t Runner::refer(const Operation& operation, std::size_t next) {
+std::size_t TileRunner::Runner::refer(const Operation& operation, std::size_t next) {
     const ReferenceRecord& record = program_.references[static_cast<std::size_t>(operation.source)];
     const ChannelBits outer = std::exchange(wanted_, record.needed);
     clear(operation.depth + 1, record.needed);
@@ -109,22 +141,47 @@ std::size_t Runner::refer(const Operation& operation, std::size_t next) {
     return past;
 }
 
-/// Where the stack starts, but for channels that a cache gives at once.
-void Runner::fill_bottom() {
-    ChannelBits filled = run_.wanted;
+/// Decides which channels of the bottom of the stack are filled, and when.
+void TileRunner::Runner::plan_bottom() {
+    bottom_ = run_.wanted;
     for (const CachePoint& point : run_.caches)
         if (point.read && point.place.begin == 0 && point.place.depth == 0)
-            filled &= static_cast<ChannelBits>(~point.cache->channels());
+            bottom_ &= static_cast<ChannelBits>(~point.cache->channels());
     for (const ChannelInfo& entry : kChannels) {
-        if ((filled & channel_bit(entry.channel)) == 0) continue;
+        // Others than the operations of this run read and write these.
+        if (entry.channel == Channel::Height || entry.channel == Channel::Normal) continue;
+        const ChannelBits bit = channel_bit(entry.channel) & bottom_;
+        const Operation* const first = first_at_bottom(bit);
+        const bool stays = first == nullptr;
+        const bool covered = !stays && first->code == OpCode::Blend && (first->flags & kFirst) != 0;
+        if (stays) unchanged_ |= bit;
+        if (stays || covered) bottom_ &= static_cast<ChannelBits>(~bit);
+    }
+}
+
+/// The first operation that has to do with a channel of depth 0.
+const Operation* TileRunner::Runner::first_at_bottom(ChannelBits channel) const {
+    const auto begin = program_.operations.begin();
+    const auto found = std::find_if(begin + run_.start, begin + static_cast<std::ptrdiff_t>(end_),
+                                    [&](const Operation& operation) {
+                                        return operation.depth == 0 &&
+                                               (operation.channels & channel) != 0 &&
+                                               reads_or_writes(operation, channel);
+                                    });
+    return found == begin + static_cast<std::ptrdiff_t>(end_) ? nullptr : &*found;
+}
+
+void TileRunner::Runner::fill_bottom(ChannelBits channels, int count) {
+    for (const ChannelInfo& entry : kChannels) {
+        if ((channels & channel_bit(entry.channel)) == 0) continue;
         const glm::vec3& bottom = at(program_.bottom, entry.channel);
         for (int k = 0; k < component_count(entry.channel); ++k)
-            fill_tile(planes_.channel(0, entry.channel, k), bottom[k], span_.count);
+            fill_tile(planes_.channel(0, entry.channel, k), bottom[k], count);
     }
 }
 
 /// Where to go on from `next`: past a stack's layers where a cache holds what they accumulate.
-std::size_t Runner::resumed(std::size_t next) {
+std::size_t TileRunner::Runner::resumed(std::size_t next) {
     for (const CachePoint& point : run_.caches) {
         if (!point.read || point.place.begin != static_cast<std::int32_t>(next)) continue;
         point.cache->load(span_, wanted_, planes_);
@@ -133,14 +190,14 @@ std::size_t Runner::resumed(std::size_t next) {
     return next;
 }
 
-void Runner::store_caches(std::size_t next) {
+void TileRunner::Runner::store_caches(std::size_t next) {
     for (const CachePoint& point : run_.caches)
         if (!point.read && point.place.end == static_cast<std::int32_t>(next))
             point.cache->store(span_, planes_);
 }
 
 /// Whether nothing between here and the target of the jump is to be stored or asked for.
-bool Runner::may_jump(const Operation& operation, std::size_t next) const {
+bool TileRunner::Runner::may_jump(const Operation& operation, std::size_t next) const {
     if (operation.jump > run_.stop) return false;
     for (const CachePoint& point : run_.caches)
         if (!point.read && point.place.end > static_cast<std::int32_t>(next) &&
@@ -149,7 +206,7 @@ bool Runner::may_jump(const Operation& operation, std::size_t next) const {
     return true;
 }
 
-std::size_t Runner::step(const Operation& operation, std::size_t next) {
+std::size_t TileRunner::Runner::step(const Operation& operation, std::size_t next) {
     switch (operation.code) {
         case OpCode::MaskBegin:
             fill_tile(planes_.mask(operation.depth), operation.amount, span_.count);
@@ -157,7 +214,7 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             break;
         case OpCode::MaskEntry:
         case OpCode::MaskAdjust:
-            join_mask(operation);
+            join_mask(operation, next);
             if ((operation.flags & kLast) != 0 && planes_.masked_blocks(operation.depth) == 0 &&
                 !run_.observer && may_jump(operation, next))
                 return static_cast<std::size_t>(operation.jump);
@@ -180,7 +237,7 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
             recode(operation);
             break;
         case OpCode::Blend:
-            blend(operation, blend_source(operation));
+            blend_fetched(operation, next);
             break;
         case OpCode::Adjust:
             blend(operation, adjusted(operation));
@@ -200,36 +257,22 @@ std::size_t Runner::step(const Operation& operation, std::size_t next) {
     return next + 1;
 }
 
-/// The levels of a mask entry; null where they would change nothing. The identity holds to 0..1
-/// what can lie beyond.
-const Levels* Runner::levels_of(const Operation& operation) const {
-    static constexpr Levels kIdentity;
-    const SourceRecord& record = source_of(operation);
-    if (record.levels >= 0) return &program_.levels[static_cast<std::size_t>(record.levels)];
-    const auto* const source = std::get_if<ImageSource>(&record.source);
-    if (source == nullptr) return &kIdentity;
-    const auto& bound = run_.images->sources[static_cast<std::size_t>(operation.source)];
-    const bool within = bound.image->type != SampleType::F32 &&
-                        source->multiply == glm::vec3(1.0f) && source->add == glm::vec3(0.0f);
-    return within ? nullptr : &kIdentity;
-}
-
 /// What the source of an entry gives (read where the mask is to lie, if nothing lies below), times
 /// what it covers where it is another layer.
-FetchedSource Runner::mask_entry(const Operation& operation) {
+FetchedSource TileRunner::Runner::mask_entry(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
     float* const own = first ? planes_.mask(operation.depth) : planes_.source(0);
     const auto accepts = [&](const StoredTexels& texels) {
         return mask_reads_stored(operation.mode, texels);
     };
     FetchedSource source = fetch(operation, {own, planes_.source(1), planes_.source(2)}, accepts);
-    if (source_of(operation).reference < 0 || source.coverage.step == 0) return source;
+    if (tasks_.source_of(operation).reference < 0 || source.coverage.step == 0) return source;
     multiply_tile(source.components[0], source.coverage, planes_.source(1), span_.count);
     source.components[0] = {.data = planes_.source(1)};
     return source;
 }
 
-FetchedSource Runner::adjusted_mask(const Operation& operation) {
+FetchedSource TileRunner::Runner::adjusted_mask(const Operation& operation) {
     const AdjustTask task{
         .adjustment = &program_.adjustments[static_cast<std::size_t>(operation.source)],
         .channel = AroundRecord::kMaskChannel,
@@ -240,30 +283,32 @@ FetchedSource Runner::adjusted_mask(const Operation& operation) {
     return {{{.data = task.to[0]}, {}, {}}, uniform_one()};
 }
 
-void Runner::join_mask(const Operation& operation) {
+TileBlocks TileRunner::Runner::join_fetched(const Operation& operation) {
     const bool adjusts = operation.code == OpCode::MaskAdjust;
-    const FetchedSource source = adjusts ? adjusted_mask(operation) : mask_entry(operation);
-    planes_.masked_blocks(operation.depth) =
-        join_mask_tile({.mask = planes_.mask(operation.depth),
-                        .blocks = planes_.masked_blocks(operation.depth),
-                        .source = source.components[0],
-                        .stored = source.stored,
-                        .combine = operation.mode,
-                        .opacity = operation.amount,
-                        .first = (operation.flags & kFirst) != 0,
-                        .invert = (operation.flags & kInvert) != 0,
-                        .levels = adjusts ? nullptr : levels_of(operation),
-                        .last = (operation.flags & kLast) != 0,
-                        .invert_mask = (operation.flags & kInvertMask) != 0,
-                        .count = span_.count});
+    MaskTask task =
+        tasks_.mask_task(operation, adjusts ? adjusted_mask(operation) : mask_entry(operation));
+    task.blocks = planes_.masked_blocks(operation.depth);
+    task.count = span_.count;
+    return join_mask_tile(task);
+}
+
+void TileRunner::Runner::join_mask(const Operation& operation, std::size_t index) {
+    TileBlocks& blocks = planes_.masked_blocks(operation.depth);
+    if (TileTasks::Entry* const ready = tasks_.ready_entry(index)) {
+        MaskTask& task = ready->at(span_);
+        task.blocks = blocks;
+        blocks = ready->kernel(task);
+    } else {
+        blocks = join_fetched(operation);
+    }
 }
 
 /// What the height channel covers at a depth; the stack itself is opaque.
-ReadPlane Runner::height_coverage(int depth) {
+ReadPlane TileRunner::Runner::height_coverage(int depth) {
     return depth == 0 ? uniform_one() : ReadPlane{.data = planes_.coverage(depth, Channel::Height)};
 }
 
-void Runner::share_by_height(const Operation& operation) {
+void TileRunner::Runner::share_by_height(const Operation& operation) {
     static const UniformPlane surface(0.0f);
     const HeightBlendRecord& record =
         program_.height_blends[static_cast<std::size_t>(operation.source)];
@@ -286,7 +331,7 @@ void Runner::share_by_height(const Operation& operation) {
     share_by_height_tile(task);
 }
 
-void Runner::clear(int depth, ChannelBits channels) {
+void TileRunner::Runner::clear(int depth, ChannelBits channels) {
     for (const ChannelInfo& entry : kChannels) {
         if ((channels & channel_bit(entry.channel)) == 0) continue;
         const glm::vec3 bottom = stack_bottom(entry.channel);
@@ -297,7 +342,7 @@ void Runner::clear(int depth, ChannelBits channels) {
 }
 
 /// The next depth starts from what is accumulated here; the stack itself is opaque.
-void Runner::copy_group(const Operation& operation) {
+void TileRunner::Runner::copy_group(const Operation& operation) {
     const int depth = operation.depth;
     for (const ChannelInfo& entry : kChannels) {
         const Channel channel = entry.channel;
@@ -314,8 +359,8 @@ void Runner::copy_group(const Operation& operation) {
 }
 
 /// `depth`: of the operation that reads the source.
-FetchedSource Runner::fetch(std::int32_t source, int depth, const FetchTarget& target,
-                            const AcceptsStored& accepts) {
+FetchedSource TileRunner::Runner::fetch(std::int32_t source, int depth, const FetchTarget& target,
+                                        const AcceptsStored& accepts) {
     const auto index = static_cast<std::size_t>(source);
     const SourceRecord& record = program_.sources[index];
     if (record.around >= 0) return fetch_relief(record, target[0]);
@@ -331,15 +376,15 @@ FetchedSource Runner::fetch(std::int32_t source, int depth, const FetchTarget& t
         span_, target, planes_);
 }
 
-FetchedSource Runner::fetch_relief(const SourceRecord& record, float* to) {
+FetchedSource TileRunner::Runner::fetch_relief(const SourceRecord& record, float* to) {
     patina::fetch_relief(*(*run_.around)[static_cast<std::size_t>(record.around)],
                          std::get<ReliefSource>(record.source), span_, to);
     return {{{.data = to}, {}, {}}, uniform_one()};
 }
 
 /// What a layer that is referred to left at `depth`, as the source is read.
-FetchedSource Runner::fetch_reference(const SourceRecord& record, int depth,
-                                      const FetchTarget& target) {
+FetchedSource TileRunner::Runner::fetch_reference(const SourceRecord& record, int depth,
+                                                  const FetchTarget& target) {
     const ReferenceRecord& reference =
         program_.references[static_cast<std::size_t>(record.reference)];
     const Channel channel = reference.channel;
@@ -365,7 +410,7 @@ FetchedSource Runner::fetch_reference(const SourceRecord& record, int depth,
 }
 
 /// What the adjustment makes of the accumulator.
-FetchedSource Runner::adjusted(const Operation& operation) {
+FetchedSource TileRunner::Runner::adjusted(const Operation& operation) {
     AdjustTask task{.adjustment = &program_.adjustments[static_cast<std::size_t>(operation.source)],
                     .channel = operation.channel,
                     .encoded = (operation.flags & kEncoded) != 0,
@@ -381,7 +426,7 @@ FetchedSource Runner::adjusted(const Operation& operation) {
     return source;
 }
 
-void Runner::run_or_look_around(const Operation& operation, const AdjustTask& task) {
+void TileRunner::Runner::run_or_look_around(const Operation& operation, const AdjustTask& task) {
     if (operation.around < 0) return run_adjustment(task);
     const auto index = static_cast<std::size_t>(operation.around);
     const AroundPlanes* const planes =
@@ -399,7 +444,7 @@ void Runner::run_or_look_around(const Operation& operation, const AdjustTask& ta
     adjust_around(around);
 }
 
-void Runner::recode(const Operation& operation) {
+void TileRunner::Runner::recode(const Operation& operation) {
     float* const color[3] = {planes_.channel(operation.depth, operation.channel, 0),
                              planes_.channel(operation.depth, operation.channel, 1),
                              planes_.channel(operation.depth, operation.channel, 2)};
@@ -409,7 +454,7 @@ void Runner::recode(const Operation& operation) {
 
 /// The source of a blend: read where it is to lie if it replaces the accumulator, and as it is
 /// stored where the blend reads it so.
-FetchedSource Runner::blend_source(const Operation& operation) {
+FetchedSource TileRunner::Runner::blend_source(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
     if (run_.observer || !(first || is_opaque(operation))) return fetch(operation, scratch());
     if (!first)
@@ -424,7 +469,7 @@ FetchedSource Runner::blend_source(const Operation& operation) {
 }
 
 /// The accumulators of the group's children, in the blend space of the group.
-FetchedSource Runner::child_source(const Operation& operation) {
+FetchedSource TileRunner::Runner::child_source(const Operation& operation) {
     const int depth = operation.depth + 1;
     FetchedSource source;
     float* planes[3] = {};
@@ -440,7 +485,7 @@ FetchedSource Runner::child_source(const Operation& operation) {
 }
 
 /// The mask times the source's own coverage, but for a source that replaces.
-ReadPlane Runner::weight_of(const Operation& operation, const FetchedSource& source) {
+ReadPlane TileRunner::Runner::weight_of(const Operation& operation, const FetchedSource& source) {
     const bool masked = (operation.flags & kUsesMask) != 0;
     const ReadPlane mask =
         masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one();
@@ -453,28 +498,23 @@ ReadPlane Runner::weight_of(const Operation& operation, const FetchedSource& sou
 }
 
 /// The blocks in which a blend may change something.
-TileBlocks Runner::blocks_of(const Operation& operation) {
+TileBlocks TileRunner::Runner::blocks_of(const Operation& operation) {
     const bool masked = (operation.flags & kUsesMask) != 0;
     return masked ? planes_.masked_blocks(operation.depth) : all_blocks(span_.count);
 }
 
-void Runner::blend(const Operation& operation, const FetchedSource& source) {
-    BlendTask task{.channel = operation.channel,
-                   .mode = operation.mode,
-                   .first = (operation.flags & kFirst) != 0,
-                   .count = span_.count,
-                   .blocks = blocks_of(operation),
-                   .stored = source.stored,
-                   .weight = weight_of(operation, source),
-                   .source_coverage = source.coverage,
-                   .amount = operation.amount};
-    for (int k = 0; k < component_count(operation.channel); ++k) {
-        task.target[k] = planes_.channel(operation.depth, operation.channel, k);
-        task.source[k] = source.components[k];
-    }
-    // An adjustment changes what is there, and covers no more than that.
-    if (!is_opaque(operation) && operation.code != OpCode::Adjust)
-        task.target_coverage = planes_.coverage(operation.depth, operation.channel);
+void TileRunner::Runner::blend_fetched(const Operation& operation, std::size_t index) {
+    TileTasks::Blend* const ready = tasks_.ready_blend(index);
+    if (ready == nullptr) return blend(operation, blend_source(operation));
+    BlendTask& task = ready->at(span_);
+    task.blocks = blocks_of(operation);
+    ready->kernel(task);
+}
+
+void TileRunner::Runner::blend(const Operation& operation, const FetchedSource& source) {
+    BlendTask task = tasks_.blend_task(operation, source, weight_of(operation, source));
+    task.count = span_.count;
+    task.blocks = blocks_of(operation);
     blend_tile(task);
     if (run_.observer && (operation.flags & kReferred) == 0) {
         const bool masked = (operation.flags & kUsesMask) != 0;
@@ -483,10 +523,14 @@ void Runner::blend(const Operation& operation, const FetchedSource& source) {
     }
 }
 
-}  // namespace
+TileRunner::TileRunner(const TileRun& run, TilePlanes& planes)
+    : runner_(std::make_unique<Runner>(run, planes)) {}
+TileRunner::~TileRunner() = default;
+TileRunner::TileRunner(TileRunner&&) noexcept = default;
+TileRunner& TileRunner::operator=(TileRunner&&) noexcept = default;
 
-void run_tile(const TileRun& run, const TileSpan& span, TilePlanes& planes) {
-    Runner(run, span, planes).run();
+void TileRunner::run(const TileSpan& span) {
+    runner_->run(span);
 }
 
 }  // namespace patina

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Running the operations of a program on one tile.
+/// Running the operations of a program on tiles.
 
 #include <functional>
 #include <limits>
+#include <memory>
 
 #include "composite/around.h"
 #include "composite/source_fetch.h"
@@ -33,7 +34,22 @@ struct TileRun {
     std::int32_t stop = std::numeric_limits<std::int32_t>::max();
 };
 
-/// Leaves the wanted channels of the stack in the planes of depth 0.
-void run_tile(const TileRun& run, const TileSpan& span, TilePlanes& planes);
+/// Runs the operations on one tile after the other, in the planes of one thread. What is the same
+/// in every tile is worked out once, when it is made.
+class TileRunner {
+  public:
+    /// Both have to stay.
+    TileRunner(const TileRun& run, TilePlanes& planes);
+    ~TileRunner();
+    TileRunner(TileRunner&&) noexcept;
+    TileRunner& operator=(TileRunner&&) noexcept;
+
+    /// Leaves the wanted channels of the stack in the planes of depth 0.
+    void run(const TileSpan& span);
+
+  private:
+    class Runner;
+    std::unique_ptr<Runner> runner_;
+};
 
 }  // namespace patina
