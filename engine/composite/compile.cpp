@@ -526,6 +526,7 @@ ProgramData compile_material(const Material& material, const UvSurfacePtr& worn,
     const StackState top = Emitter(program, referred, surface).emit_stack(terms, 0);
     program.top_encoded = top.touched & top.encoded & kColorChannels;
     program.touched = top.touched;
+    number_patterns(program);
     program.led_by_height = led_by_height(terms);
     for (const ChannelInfo& entry : kChannels)
         at(program.channel_hashes, entry.channel) = channel_hash(terms, entry.channel, referred);

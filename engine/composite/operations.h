@@ -124,8 +124,11 @@ struct SourceRecord {
     std::int32_t reference = -1;  ///< index into ProgramData::references, for a ReferenceSource
     std::int32_t levels = -1;     ///< index into ProgramData::levels, for a mask entry
     std::int32_t choice = -1;     ///< index into ProgramData::chosen_parts, for a GeometrySource
-    Projection projection = {};   ///< of the coordinates that the matrix takes
-    float length_per_uv = 1.0f;   ///< of what is projected: see UvSurface
+    /// The number of a ProceduralSource's pattern, before contrast and ramp, where it is wanted
+    /// more than once in a tile or in those around it; else -1.
+    std::int32_t pattern = -1;
+    Projection projection = {};                 ///< of the coordinates that the matrix takes
+    float length_per_uv = 1.0f;                 ///< of what is projected: see UvSurface
     std::array<UniformPlane, 3> constant = {};  ///< of a ConstantSource, as `reading` says
     glm::vec3 mean = glm::vec3(0.0f);           ///< procedural_mean of a ProceduralSource
     /// The rows of the matrix that takes (u, v, 1) to the source's own coordinates.

@@ -131,7 +131,8 @@ glm::vec3 procedural_mean(const ProceduralSource& source, bool scalar) {
     task.scalar = scalar;
     alignas(64) float values[3][kEvenPoints] = {};
     float* const planes[3] = {values[0], values[1], values[2]};
-    run_procedural(task, planes);
+    run_pattern(task, planes[0]);
+    run_ramp(task, planes[0], planes);
     glm::dvec3 sum(0.0);
     for (int i = 0; i < kEvenPoints; ++i)
         sum += glm::dvec3(values[0][i], values[1][i], values[2][i]);
@@ -139,7 +140,7 @@ glm::vec3 procedural_mean(const ProceduralSource& source, bool scalar) {
 }
 
 void procedural_tile(const SourceRecord& record, const TileSpan& span, const TileCoordinates& at,
-                     float* const planes[3]) {
+                     float* const planes[3], PatternPlanes& patterns) {
     ProceduralTask task = task_of(std::get<ProceduralSource>(record.source));
     task.x = span.x;
     task.count = span.count;
@@ -156,7 +157,12 @@ void procedural_tile(const SourceRecord& record, const TileSpan& span, const Til
     task.scalar = !is_vector(record.reading);
     task.encode = record.reading == Reading::EncodedColor;
     task.normalise = record.reading == Reading::Normal;
-    run_procedural(task, planes);
+    float* pattern = planes[0];
+    bool is_filled = false;
+    if (record.pattern >= 0 && at.u == nullptr)
+        pattern = patterns.at(record.pattern, span, is_filled);
+    if (!is_filled) run_pattern(task, pattern);
+    run_ramp(task, pattern, planes);
 }
 
 }  // namespace patina

@@ -432,7 +432,8 @@ void pattern_run(ProceduralKind kind, const Pattern& pattern, const Places& at, 
 }
 
 /// The pattern, before contrast and ramp.
-void show_pattern(const ProceduralTask& task, const Pattern& pattern, float* plane) {
+void show_pattern(const ProceduralTask& task, float* plane) {
+    const auto pattern = pattern_of<Pattern>(task);
     Places places;
     find_places(task, places);
     if (task.warp != 0.0f) warp(pattern, places);
@@ -447,10 +448,10 @@ HWY_INLINE Real contrasted_at(const ProceduralTask& task, const Shown& shown, co
 }
 
 HWY_NOINLINE HWY_FLATTEN void scalar_ramp(const ProceduralTask& task, const Shown& shown,
-                                          float* plane) {
+                                          const float* pattern, float* plane) {
     const formulae::Ramp ramp = ramp_of(task);
     for (int i = 0; i < task.count; i += static_cast<int>(lane_count())) {
-        const Real value = formulae::ramp_scalar(ramp, contrasted_at(task, shown, plane, i));
+        const Real value = formulae::ramp_scalar(ramp, contrasted_at(task, shown, pattern, i));
         store(formulae::faded_result(shown, value, task.mean[0]), plane + i);
     }
 }
@@ -461,12 +462,11 @@ HWY_INLINE Real3 faded_color(const Shown& shown, const Real3& value, const float
             formulae::faded_result(shown, value.z, mean[2])};
 }
 
-/// From the pattern in planes[0].
 HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, const Shown& shown,
-                                          float* const* planes) {
+                                          const float* pattern, float* const* planes) {
     const formulae::Ramp ramp = ramp_of(task);
     for (int i = 0; i < task.count; i += static_cast<int>(lane_count())) {
-        Real3 value = formulae::ramp_color(ramp, contrasted_at(task, shown, planes[0], i));
+        Real3 value = formulae::ramp_color(ramp, contrasted_at(task, shown, pattern, i));
         value = faded_color(shown, value, task.mean);
         if (task.encode) value = formulae::srgb_from_linear(value);
         if (task.normalise) value = formulae::unit_normal(value);
@@ -474,11 +474,10 @@ HWY_NOINLINE HWY_FLATTEN void vector_ramp(const ProceduralTask& task, const Show
     }
 }
 
-void run(const ProceduralTask& task, float* const* planes) {
-    const auto pattern = pattern_of<Pattern>(task);
-    const Shown shown = formulae::pattern_shown(pattern);
-    show_pattern(task, pattern, planes[0]);
-    task.scalar ? scalar_ramp(task, shown, planes[0]) : vector_ramp(task, shown, planes);
+void lay_ramp(const ProceduralTask& task, const float* pattern, float* const* planes) {
+    const Shown shown = formulae::pattern_shown(pattern_of<Pattern>(task));
+    task.scalar ? scalar_ramp(task, shown, pattern, planes[0])
+                : vector_ramp(task, shown, pattern, planes);
 }
 
 }  // namespace
@@ -489,10 +488,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace patina {
 
-HWY_EXPORT(run);
+HWY_EXPORT(show_pattern);
+HWY_EXPORT(lay_ramp);
 
-void run_procedural(const ProceduralTask& task, float* const planes[3]) {
-    HWY_DYNAMIC_DISPATCH(run)(task, planes);
+void run_pattern(const ProceduralTask& task, float* plane) {
+    HWY_DYNAMIC_DISPATCH(show_pattern)(task, plane);
+}
+
+void run_ramp(const ProceduralTask& task, const float* pattern, float* const planes[3]) {
+    HWY_DYNAMIC_DISPATCH(lay_ramp)(task, pattern, planes);
 }
 
 }  // namespace patina

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// Noises and patterns with contrast and ramp over the planes of one tile.
+/// Noises and patterns, and contrast and ramp on them, over the planes of one tile.
 
 #include <cstdint>
 
@@ -61,6 +61,9 @@ Pattern pattern_of(const ProceduralTask& task) {
             task.footprint};
 }
 
-void run_procedural(const ProceduralTask& task, float* const planes[3]);
+/// The pattern before contrast and ramp, which asks for nothing of a task beyond `footprint`.
+void run_pattern(const ProceduralTask& task, float* plane);
+/// What contrast and ramp make of it; `pattern` may be planes[0].
+void run_ramp(const ProceduralTask& task, const float* pattern, float* const planes[3]);
 
 }  // namespace patina

@@ -120,7 +120,7 @@ FetchedSource fetch_at(const SourceFetch& from, const TileSpan& span, const Tile
                        const FetchTarget& target, TilePlanes& planes) {
     if (std::holds_alternative<ImageSource>(from.record->source))
         return fetch_image(from, span, at, target, planes);
-    procedural_tile(*from.record, span, at, target.data());
+    procedural_tile(*from.record, span, at, target.data(), planes.patterns());
     return {{{target[0]}, {target[1]}, {target[2]}}, uniform_one()};
 }
 

@@ -2,8 +2,11 @@
 #include "composite/source_record.h"
 
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "composite/procedural.h"
+#include "composite/stack_hash.h"
 #include "composite/uniform_values.h"
 #include "document/uv_rows.h"
 
@@ -47,6 +50,21 @@ SourceRecord source_record(const Source& source, Reading reading) {
         record.mean = procedural_mean(*procedural, !is_vector(reading));
     }
     return record;
+}
+
+void number_patterns(ProgramData& program) {
+    std::map<Hash128, std::vector<SourceRecord*>> readers;
+    for (SourceRecord& record : program.sources) {
+        const auto* const procedural = std::get_if<ProceduralSource>(&record.source);
+        if (procedural != nullptr) readers[pattern_hash(*procedural)].push_back(&record);
+    }
+    const bool with_heights = (program.touched & channel_bit(Channel::Height)) != 0;
+    std::int32_t next = 0;
+    for (const auto& [hash, records] : readers) {
+        if (records.size() == 1 && !with_heights) continue;
+        for (SourceRecord* record : records) record->pattern = next;
+        ++next;
+    }
 }
 
 }  // namespace patina

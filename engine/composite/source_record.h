@@ -7,7 +7,11 @@
 
 namespace patina {
 
-/// Everything but the index of the image, which is the program's matter.
+/// Everything but the numbers of images and patterns, which are the program's matter.
 SourceRecord source_record(const Source& source, Reading reading);
+
+/// Numbers the patterns of procedural sources that are wanted more than once: by several sources
+/// or, where heights are composited for themselves, again for other channels.
+void number_patterns(ProgramData& program);
 
 }  // namespace patina

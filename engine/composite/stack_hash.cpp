@@ -34,11 +34,7 @@ void add_ramp(Hasher& hasher, const std::vector<RampStop>& ramp) {
 }
 
 void add_source(Hasher& hasher, const ProceduralSource& source) {
-    hasher.add(source.kind).add(source.seed).add(source.scale).add(source.octaves);
-    hasher.add(source.contrast).add(source.balance);
-    hasher.add(source.width).add(source.softness).add(source.variation);
-    hasher.add(source.aspect).add(source.warp);
-    add_transform(hasher, source.transform);
+    hasher.add(pattern_hash(source)).add(source.contrast).add(source.balance);
     add_ramp(hasher, source.ramp);
 }
 
@@ -119,6 +115,15 @@ void add_mask(Hasher& hasher, const MaskTerm& mask, ReferredLayers& referred) {
 }
 
 }  // namespace
+
+Hash128 pattern_hash(const ProceduralSource& source) {
+    Hasher hasher;
+    hasher.add(source.kind).add(source.seed).add(source.scale).add(source.octaves);
+    hasher.add(source.width).add(source.softness).add(source.variation);
+    hasher.add(source.aspect).add(source.warp);
+    add_transform(hasher, source.transform);
+    return hasher.finish();
+}
 
 Hash128 layer_hash(const LayerTerms& terms, ChannelBits channels, ReferredLayers& referred) {
     Hasher hasher;

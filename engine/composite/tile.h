@@ -4,6 +4,8 @@
 /// The unit of work: a run of texels of one row, with the planes of floats that all operations on
 /// it share. It stays in the caches of one core from the first operation to the last.
 
+#include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -50,6 +52,29 @@ struct SurfacePlanes {
     alignas(64) float sum[4][kTileTexels];
 };
 
+/// Patterns of procedural sources that are wanted again: by other sources of the same tile, and by
+/// those of the next row, whose heights are composited before its other channels.
+class PatternPlanes {
+  public:
+    /// The plane of a pattern, by its number, at a tile: kTileTexels floats, 64-byte aligned.
+    /// @param is_filled  becomes whether it is the pattern already, and not to be written yet
+    float* at(std::int32_t pattern, const TileSpan& span, bool& is_filled) {
+        Kept& kept = kept_[{pattern, span.x, span.y & 1}];
+        is_filled = kept.span == span;
+        kept.span = span;
+        kept.plane.resize(kTileTexels);
+        return kept.plane.data();
+    }
+
+  private:
+    struct Kept {
+        TileSpan span = {};
+        PixelVector<float> plane;
+    };
+    /// By pattern, column and whether the row is odd.
+    std::map<std::array<std::int32_t, 3>, Kept> kept_;
+};
+
 /// The planes of one thread, kTileTexels floats each, 64-byte aligned. Lanes beyond `count` of the
 /// span hold anything.
 class TilePlanes {
@@ -75,6 +100,7 @@ class TilePlanes {
     float* source(int component) { return plane(scratch() + component); }
     float* source_coverage() { return plane(scratch() + 3); }
     float* weight() { return plane(scratch() + 4); }
+    PatternPlanes& patterns() { return patterns_; }
     /// Made when first asked for, and kept from tile to tile.
     SurfacePlanes& surface() {
         if (surface_ == nullptr) surface_ = std::make_unique<SurfacePlanes>();
@@ -103,6 +129,7 @@ class TilePlanes {
     PixelVector<float> memory_;
     std::vector<TileBlocks> masked_blocks_;
     std::unique_ptr<SurfacePlanes> surface_;
+    PatternPlanes patterns_;
 };
 
 }  // namespace patina

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "composite/compile.h"
 #include "composite/procedural_kernels.h"
 #include "composite/small_stack.h"
 #include "composite/tile.h"
@@ -57,7 +58,8 @@ float value_by_text(const ProceduralTask& task, int i) {
 int differing_texels(const ProceduralTask& task) {
     alignas(64) float values[kTileTexels];
     float* const planes[3] = {values, nullptr, nullptr};
-    run_procedural(task, planes);
+    run_pattern(task, planes[0]);
+    run_ramp(task, planes[0], planes);
     int differing = 0;
     for (int i = 0; i < task.count; ++i) differing += values[i] != value_by_text(task, i);
     return differing;
@@ -92,7 +94,8 @@ TEST(Procedurals, PlacesThatAProjectionScattersAreLookedUpOneByOne) {
     float* const planes[3] = {scattered, nullptr, nullptr};
     task.u = u;
     task.v = v;
-    run_procedural(task, planes);
+    run_pattern(task, planes[0]);
+    run_ramp(task, planes[0], planes);
     for (int i = 0; i < task.count; ++i) ASSERT_EQ(scattered[i], value_by_text(task, u[i], v[i]));
 }
 
@@ -122,6 +125,64 @@ TEST(Procedurals, ThoseTooFineToBeSeenAreTheMeanOfTheirRamp) {
     ProceduralSource source{.kind = ProceduralKind::Spots, .scale = 512.0f};
     source.ramp = {{0.0f, glm::vec3(0.2f)}, {0.6f, glm::vec3(0.2f)}, {0.6f, glm::vec3(0.9f)}};
     EXPECT_NEAR(mean_of(source, 32), mean_of(source, 4096), 0.01);
+}
+
+/// A layer that shows a pattern in these channels, each with a contrast of its own.
+LayerPtr shown_pattern(std::initializer_list<Channel> channels) {
+    Layer layer{.id = {1}};
+    float contrast = 0.1f;
+    for (const Channel channel : channels) {
+        const ProceduralSource source{
+            .seed = 5, .scale = 6.0f, .octaves = 7, .warp = 0.3f, .contrast = contrast};
+        at(layer.channels, channel) = {.enabled = true, .source = source};
+        contrast += 0.2f;
+    }
+    return std::make_shared<const Layer>(std::move(layer));
+}
+
+/// A pattern is run once for all that show it, and for the heights of a row before its other
+/// channels.
+TEST(Procedurals, APatternIsTheSameWhoeverElseShowsIt) {
+    constexpr int kSide = 90;
+    ImageTable images;
+    const auto maps_of_channels = [&](std::initializer_list<Channel> channels) {
+        Material material;
+        material.height_scale = 0.02f;
+        material.stack = {shown_pattern(channels)};
+        return bake_maps(Program::compile(material), images, kSide,
+                         {BakedMap::OcclusionRoughnessMetalness, BakedMap::Normal})
+            .value();
+    };
+    const MapSet alone = maps_of_channels({Channel::Roughness});
+    const MapSet shared = maps_of_channels({Channel::Roughness, Channel::Metalness});
+    const MapSet with_heights =
+        maps_of_channels({Channel::Roughness, Channel::Metalness, Channel::Height});
+    const auto channel = [](const MapSet& maps, std::size_t component) {
+        std::vector<std::byte> values;
+        const auto& texels = maps[BakedMap::OcclusionRoughnessMetalness]->data;
+        for (std::size_t i = component; i < texels.size(); i += 4) values.push_back(texels[i]);
+        return values;
+    };
+    EXPECT_EQ(channel(alone, 1), channel(shared, 1));
+    EXPECT_EQ(channel(alone, 1), channel(with_heights, 1));
+    EXPECT_EQ(channel(shared, 2), channel(with_heights, 2));
+    EXPECT_NE(channel(shared, 1), channel(shared, 2));
+}
+
+TEST(Procedurals, OnlyAPatternThatIsWantedAgainIsKept) {
+    const auto numbers = [](std::initializer_list<LayerPtr> layers) {
+        Material material;
+        material.stack = layers;
+        std::vector<std::int32_t> patterns;
+        for (const SourceRecord& record :
+             compile_material(material, nullptr, CoveredLayers::Drop).sources)
+            patterns.push_back(record.pattern);
+        return patterns;
+    };
+    EXPECT_EQ(numbers({shown_pattern({Channel::Roughness})}), std::vector{-1});
+    EXPECT_EQ(numbers({shown_pattern({Channel::Roughness, Channel::Metalness})}),
+              (std::vector{0, 0}));
+    EXPECT_EQ(numbers({shown_pattern({Channel::Height})}), std::vector{0});
 }
 
 }  // namespace
