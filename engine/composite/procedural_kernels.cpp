@@ -38,6 +38,7 @@ struct Places {
     alignas(64) Plane x;
     alignas(64) Plane y;
     int count;
+    bool is_level;  ///< y is the same in all of them, and x grows in even steps
 
     HWY_INLINE Real2 at(int i) const { return Real2(load(x + i), load(y + i)); }
     HWY_INLINE void set(int i, Real2 place) {
@@ -59,6 +60,7 @@ HWY_INLINE Real2 position_at(const ProceduralTask& task, int i) {
 
 HWY_NOINLINE HWY_FLATTEN void find_places(const ProceduralTask& task, Places& places) {
     places.count = task.count;
+    places.is_level = task.u == nullptr && task.v_per_u == 0.0f && task.u_per_u > 0.0f;
     for (int i = 0; i < task.count; i += static_cast<int>(lane_count()))
         places.set(i, position_at(task, i));
 }
@@ -74,6 +76,14 @@ struct Lattice {
 
 struct ValueNoise {
     using Corners = formulae::ValueCorners;
+    static constexpr int kPointNumbers = 1;
+    static HWY_INLINE void hash_point(formulae::Int x, formulae::Int y, const Lattice& lattice,
+                                      Real (&numbers)[kPointNumbers]) {
+        numbers[0] = formulae::unit_from_bits(formulae::lattice_hash(x, y, lattice.seed));
+    }
+    static HWY_INLINE Corners corners_of(const Real (&points)[4][kPointNumbers]) {
+        return {points[0][0], points[1][0], points[2][0], points[3][0]};
+    }
     static HWY_INLINE NoisePlace place(Real2 position, const Lattice&) {
         return formulae::noise_place(position);
     }
@@ -103,6 +113,18 @@ enum class Shape { Plain, Ridged, Folded };
 template <Shape kShape>
 struct GradientNoise {
     using Corners = formulae::GradientCorners;
+    static constexpr int kPointNumbers = 2;
+    static HWY_INLINE void hash_point(formulae::Int x, formulae::Int y, const Lattice& lattice,
+                                      Real (&numbers)[kPointNumbers]) {
+        const Real2 gradient =
+            formulae::lattice_gradient(formulae::lattice_hash(x, y, lattice.seed));
+        numbers[0] = gradient.x;
+        numbers[1] = gradient.y;
+    }
+    static HWY_INLINE Corners corners_of(const Real (&points)[4][kPointNumbers]) {
+        return {Real2(points[0][0], points[0][1]), Real2(points[1][0], points[1][1]),
+                Real2(points[2][0], points[2][1]), Real2(points[3][0], points[3][1])};
+    }
     static HWY_INLINE NoisePlace place(Real2 position, const Lattice&) {
         return formulae::noise_place(position);
     }
@@ -193,6 +215,61 @@ HWY_NOINLINE HWY_FLATTEN void noise_run(const Places& places, Real2 scale, const
         store(walk.at(places.at(i) * scale), plane + i);
 }
 
+/// Whether points of a noise's lattice can be hashed by themselves.
+template <class Noise>
+concept HashesPoints = requires {
+    Noise::kPointNumbers;
+};
+
+/// The lattice points above and below a level run, each hashed once: where cells are a few texels
+/// wide, nearly all lanes come to new ones, and neighbours share their corners.
+template <class Noise>
+class LatticeRows {
+  public:
+    /// From the cell of the first texel to beyond that of the last; see fit().
+    HWY_INLINE LatticeRows(float first_cell, Real cell_y, int columns, const Lattice& lattice)
+        : first_cell_(first_cell) {
+        const formulae::Int upper = formulae::wrapped_cell(cell_y, lattice.period_y);
+        const formulae::Int lower = formulae::next_cell(upper, lattice.period_y);
+        for (int i = 0; i < columns; i += static_cast<int>(lane_count())) {
+            const Real column(hn::Iota(formulae::RealLanes(), static_cast<float>(i)));
+            const formulae::Int x = formulae::wrapped_cell(first_cell + column, lattice.period_x);
+            hash_points(x, upper, lattice, 0, i);
+            hash_points(x, lower, lattice, 1, i);
+        }
+    }
+
+    /// Whether there is room for so many columns and what lookups read beyond them.
+    static HWY_INLINE bool fit(float columns) {
+        return columns + 2.0f * static_cast<float>(lane_count()) < float{kTileTexels};
+    }
+
+    /// The corners of cells that lie `steps` columns, fewer than there are lanes, from the first
+    /// lane's.
+    HWY_INLINE typename Noise::Corners corners(float cell_of_first_lane, Real steps) const {
+        const auto lanes = hn::IndicesFromVec(formulae::RealLanes(), formulae::Int(steps).lanes);
+        const auto column = static_cast<int>(cell_of_first_lane - first_cell_);
+        Real points[4][Noise::kPointNumbers];
+        for (int corner = 0; corner < 4; ++corner)
+            for (int k = 0; k < Noise::kPointNumbers; ++k) {
+                const float* const row = points_[corner / 2][k] + column + corner % 2;
+                points[corner][k] = Real(hn::TableLookupLanes(load(row).lanes, lanes));
+            }
+        return Noise::corners_of(points);
+    }
+
+  private:
+    HWY_INLINE void hash_points(formulae::Int x, formulae::Int y, const Lattice& lattice, int row,
+                                int column) {
+        Real numbers[Noise::kPointNumbers];
+        Noise::hash_point(x, y, lattice, numbers);
+        for (int k = 0; k < Noise::kPointNumbers; ++k) store(numbers[k], points_[row][k] + column);
+    }
+
+    float first_cell_;
+    alignas(64) Plane points_[2][Noise::kPointNumbers];
+};
+
 /// The octaves of a noise, as formulae::fbm adds them up.
 struct OctavesTask {
     float scale = 1.0f;  ///< cells of the first octave for each of the places'
@@ -214,6 +291,51 @@ HWY_NOINLINE HWY_FLATTEN void add_octave(const Places& places, const OctavesTask
               sum + i);
 }
 
+/// The cells that a level run passes through.
+struct LevelCells {
+    float first = 0.0f;
+    float columns = 0.0f;  ///< of lattice points: one more than there are cells
+    float per_texel = 0.0f;
+};
+HWY_INLINE LevelCells level_cells(const Places& places, float scale, float frequency) {
+    const auto cells_at = [&](int i) {
+        return floor(load(places.x + i) * scale * frequency).lanes;
+    };
+    const int last =
+        (places.count - 1) / static_cast<int>(lane_count()) * static_cast<int>(lane_count());
+    const float first = hn::GetLane(cells_at(0));
+    const float end = hn::GetLane(hn::MaxOfLanes(formulae::RealLanes(), cells_at(last)));
+    return {first, end - first + 2.0f, (places.x[1] - places.x[0]) * scale * frequency};
+}
+
+/// Whether as many texels as there are lanes lie in fewer cells.
+HWY_INLINE bool suits_lattice_rows(const LevelCells& cells) {
+    const auto lanes = static_cast<float>(lane_count());
+    return cells.per_texel * lanes < lanes - 1.0f;
+}
+
+/// As add_octave, of a level run.
+template <class Noise>
+HWY_NOINLINE HWY_FLATTEN void add_level_octave(const Places& places, const OctavesTask& task,
+                                               const Octave& octave, const Lattice& lattice,
+                                               const LevelCells& cells, float* sum) {
+    const auto position = [&](int i) { return places.at(i) * task.scale * octave.frequency; };
+    const Real y = position(0).y;
+    const LatticeRows<Noise> rows(cells.first, floor(y), static_cast<int>(cells.columns), lattice);
+    const Real lanes(static_cast<float>(lane_count()));
+    for (int i = 0; i < places.count; i += static_cast<int>(lane_count())) {
+        const NoisePlace place = Noise::place(Real2(position(i).x, y), lattice);
+        const float first = hn::GetLane(place.cell.x.lanes);
+        const Real steps = place.cell.x - first;
+        const bool near = hn::AllTrue(formulae::RealLanes(), (steps < lanes).mask);
+        const auto corners =
+            near ? rows.corners(first, steps) : Noise::corners(place.cell, lattice);
+        store(formulae::with_octave(load(sum + i), octave, task.mean,
+                                    Noise::value(corners, place, lattice)),
+              sum + i);
+    }
+}
+
 HWY_NOINLINE HWY_FLATTEN void add_mean(const OctavesTask& task, const Octave& octave, int count,
                                        float* sum) {
     for (int i = 0; i < count; i += static_cast<int>(lane_count()))
@@ -231,6 +353,19 @@ HWY_NOINLINE HWY_FLATTEN void divide(float total, int count, float* sum) {
 }
 
 template <class Noise>
+void add_shown_octave(const Places& places, const OctavesTask& task, const Octave& octave,
+                      const Lattice& lattice, float* sum) {
+    if constexpr (HashesPoints<Noise>) {
+        if (places.is_level && places.count > static_cast<int>(lane_count())) {
+            const LevelCells cells = level_cells(places, task.scale, octave.frequency);
+            if (suits_lattice_rows(cells) && LatticeRows<Noise>::fit(cells.columns))
+                return add_level_octave<Noise>(places, task, octave, lattice, cells, sum);
+        }
+    }
+    add_octave<Noise>(places, task, octave, lattice, sum);
+}
+
+template <class Noise>
 void octaves_run(const Places& places, const OctavesTask& task, float* plane) {
     fill(0.0f, places.count, plane);
     float total = 0.0f;
@@ -240,7 +375,7 @@ void octaves_run(const Places& places, const OctavesTask& task, float* plane) {
                                  formulae::derived_seed(task.seed, i),
                                  task.footprint * octave.frequency};
         if (octave.shown > 0.0f)
-            add_octave<Noise>(places, task, octave, lattice, plane);
+            add_shown_octave<Noise>(places, task, octave, lattice, plane);
         else
             add_mean(task, octave, places.count, plane);
         total = total + octave.strength;
@@ -284,6 +419,7 @@ HWY_NOINLINE HWY_FLATTEN void warp(const Pattern& pattern, Places& places) {
     alignas(64) Plane noise_x, noise_y;
     side_noise(formulae::warp_x(pattern), places, noise_x);
     side_noise(formulae::warp_y(pattern), places, noise_y);
+    places.is_level = false;
     for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
         places.set(i, formulae::warped_by(pattern, places.at(i),
                                           Real2(load(noise_x + i), load(noise_y + i))));
