@@ -134,6 +134,30 @@ std::string named(const char* name, int size) {
     return name + std::to_string(size);
 }
 
+/// The narrower instruction sets that this machine has too, and how many times `touch` the
+/// composite may take there.
+struct NarrowerTarget {
+    const char* name;
+    std::int64_t target;
+    const char* at_most;
+};
+constexpr NarrowerTarget kNarrowerTargets[] = {{"composite/stack10/2048/AVX2", HWY_AVX2, "3"},
+                                               {"composite/stack10/2048/SSE4", HWY_SSE4, "6"}};
+
+bool is_there(const NarrowerTarget& narrower) {
+    return (hwy::SupportedTargets() & narrower.target) != 0;
+}
+
+void add_narrower_targets(std::vector<Contestant>& contestants, int size) {
+    for (const NarrowerTarget& narrower : kNarrowerTargets)
+        if (is_there(narrower))
+            contestants.push_back({narrower.name, [=] {
+                                       hwy::SetSupportedTargetsForTest(narrower.target);
+                                       composite(BlendSpace::SrgbEncoded, size);
+                                       hwy::SetSupportedTargetsForTest(0);
+                                   }});
+}
+
 /// The composite of one size against its yardsticks; at 2048 also what an edit costs.
 void composite_ratios(benchmark::State& state, int size) {
     const ThreadLimit one_thread(1);
@@ -161,6 +185,7 @@ void composite_ratios(benchmark::State& state, int size) {
         drag("edit/layer9of10/2048", 9, size, whole);
         drag("edit/tile256/2048", 5, size, {512, 768, 768, 1024});
         drag("preview/1024of2048", 5, 1024, {0, 0, 1024, 1024});
+        add_narrower_targets(contestants, size);
     }
     for (auto _ : state) run_interleaved(contestants);
 
@@ -169,9 +194,13 @@ void composite_ratios(benchmark::State& state, int size) {
         "stack10 at %d, one thread, least CPU time of %d; at most %d/255 from the "
         "reference\n",
         size, kRuns, worst);
-    print_ratio(contestants, composite_name, named("touch/stack10/", size), "2 (AVX2 3, SSE2 6)");
+    print_ratio(contestants, composite_name, named("touch/stack10/", size), "2");
     print_ratio(contestants, named("naive/stack10/", size), composite_name, "at least 15");
     if (!with_edits) return;
+    for (const NarrowerTarget& narrower : kNarrowerTargets)
+        if (is_there(narrower))
+            print_ratio(contestants, narrower.name, named("touch/stack10/", size),
+                        narrower.at_most);
     print_ratio(contestants, "composite-linear/stack10/2048", composite_name, "1.5");
     print_ratio(contestants, "edit/layer5of10/2048", composite_name, "0.7");
     print_ratio(contestants, "edit/layer9of10/2048", composite_name, "0.35");
