@@ -15,8 +15,7 @@ namespace {
 const std::byte* first_texel(const Image& image, const TileSpan& span) {
     const std::size_t texel_bytes =
         static_cast<std::size_t>(image.channels) * sample_bytes(image.type);
-    return image.data.data() + image.row_bytes() * static_cast<std::size_t>(span.y) +
-           texel_bytes * static_cast<std::size_t>(span.x);
+    return texels_at(span, image.data.data(), image.row_bytes(), texel_bytes);
 }
 
 /// The texels of an image, from the first on, if they are all that a source gives and `accepts`
@@ -107,7 +106,7 @@ FetchedSource fetch_image(const SourceFetch& from, const TileSpan& span, const T
     const BoundImage& bound = *from.image;
     FetchedSource fetched{.stored = stored_texels(bound, from.accepts)};
     if (fetched.stored.texels != nullptr)
-        fetched.stored.texels = texels_at(fetched.stored, span);
+        fetched.stored.texels = texels_at(span, fetched.stored);
     else
         fetched = fetch_components(record, bound, span, at, target);
     const bool covers = !std::get<ImageSource>(record.source).alpha_is_coverage;

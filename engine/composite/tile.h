@@ -24,10 +24,15 @@ struct TileSpan {
     bool operator==(const TileSpan&) const = default;
 };
 
-/// Where a tile lies in texels that are given from the first of an image on.
-inline const std::byte* texels_at(const StoredTexels& image, const TileSpan& span) {
-    return image.texels + image.row_bytes * static_cast<std::size_t>(span.y) +
-           static_cast<std::size_t>(image.channels) * static_cast<std::size_t>(span.x);
+/// Where the texels of a tile begin in an image that lies on those of the map.
+inline const std::byte* texels_at(const TileSpan& span, const std::byte* image,
+                                  std::size_t row_bytes, std::size_t texel_bytes) {
+    return image + row_bytes * static_cast<std::size_t>(span.y) +
+           texel_bytes * static_cast<std::size_t>(span.x);
+}
+/// The same of texels that are given from the first of the image on.
+inline const std::byte* texels_at(const TileSpan& span, const StoredTexels& image) {
+    return texels_at(span, image.texels, image.row_bytes, static_cast<std::size_t>(image.channels));
 }
 
 /// A column or row, beyond the border too, of a map that repeats.

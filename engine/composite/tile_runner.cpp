@@ -75,7 +75,6 @@ class TileRunner::Runner {
     void recode(const Operation& operation);
     FetchedSource blend_source(const Operation& operation);
     FetchedSource child_source(const Operation& operation);
-    ReadPlane weight_of(const Operation& operation, const FetchedSource& source);
     TileBlocks blocks_of(const Operation& operation);
     void blend_fetched(const Operation& operation, std::size_t index);
     void blend(const Operation& operation, const FetchedSource& source);
@@ -262,10 +261,8 @@ std::size_t TileRunner::Runner::step(const Operation& operation, std::size_t nex
 FetchedSource TileRunner::Runner::mask_entry(const Operation& operation) {
     const bool first = (operation.flags & kFirst) != 0;
     float* const own = first ? planes_.mask(operation.depth) : planes_.source(0);
-    const auto accepts = [&](const StoredTexels& texels) {
-        return mask_reads_stored(operation.mode, texels);
-    };
-    FetchedSource source = fetch(operation, {own, planes_.source(1), planes_.source(2)}, accepts);
+    FetchedSource source = fetch(operation, {own, planes_.source(1), planes_.source(2)},
+                                 tasks_.takes_stored(operation));
     if (tasks_.source_of(operation).reference < 0 || source.coverage.step == 0) return source;
     multiply_tile(source.components[0], source.coverage, planes_.source(1), span_.count);
     source.components[0] = {.data = planes_.source(1)};
@@ -285,10 +282,9 @@ FetchedSource TileRunner::Runner::adjusted_mask(const Operation& operation) {
 
 TileBlocks TileRunner::Runner::join_fetched(const Operation& operation) {
     const bool adjusts = operation.code == OpCode::MaskAdjust;
-    MaskTask task =
-        tasks_.mask_task(operation, adjusts ? adjusted_mask(operation) : mask_entry(operation));
+    MaskTask task = tasks_.mask_task(
+        operation, adjusts ? adjusted_mask(operation) : mask_entry(operation), span_.count);
     task.blocks = planes_.masked_blocks(operation.depth);
-    task.count = span_.count;
     return join_mask_tile(task);
 }
 
@@ -455,17 +451,12 @@ void TileRunner::Runner::recode(const Operation& operation) {
 /// The source of a blend: read where it is to lie if it replaces the accumulator, and as it is
 /// stored where the blend reads it so.
 FetchedSource TileRunner::Runner::blend_source(const Operation& operation) {
-    const bool first = (operation.flags & kFirst) != 0;
-    if (run_.observer || !(first || is_opaque(operation))) return fetch(operation, scratch());
-    if (!first)
-        return fetch(operation, scratch(), [&](const StoredTexels& texels) {
-            return blends_stored(operation.channel, operation.mode, texels);
-        });
     FetchTarget target = scratch();
-    for (int k = 0; k < component_count(operation.channel); ++k)
-        target[static_cast<std::size_t>(k)] =
-            planes_.channel(operation.depth, operation.channel, k);
-    return fetch(operation, target);
+    if ((operation.flags & kFirst) != 0 && !run_.observer)
+        for (int k = 0; k < component_count(operation.channel); ++k)
+            target[static_cast<std::size_t>(k)] =
+                planes_.channel(operation.depth, operation.channel, k);
+    return fetch(operation, target, tasks_.takes_stored(operation));
 }
 
 /// The accumulators of the group's children, in the blend space of the group.
@@ -484,19 +475,6 @@ FetchedSource TileRunner::Runner::child_source(const Operation& operation) {
     return source;
 }
 
-/// The mask times the source's own coverage, but for a source that replaces.
-ReadPlane TileRunner::Runner::weight_of(const Operation& operation, const FetchedSource& source) {
-    const bool masked = (operation.flags & kUsesMask) != 0;
-    const ReadPlane mask =
-        masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one();
-    const bool first = (operation.flags & kFirst) != 0;
-    if (operation.mode == BlendMode::Replace && !first) return mask;
-    if (!masked) return source.coverage;
-    if (source.coverage.step == 0) return mask;
-    multiply_tile(mask, source.coverage, planes_.weight(), span_.count);
-    return {.data = planes_.weight()};
-}
-
 /// The blocks in which a blend may change something.
 TileBlocks TileRunner::Runner::blocks_of(const Operation& operation) {
     const bool masked = (operation.flags & kUsesMask) != 0;
@@ -512,8 +490,7 @@ void TileRunner::Runner::blend_fetched(const Operation& operation, std::size_t i
 }
 
 void TileRunner::Runner::blend(const Operation& operation, const FetchedSource& source) {
-    BlendTask task = tasks_.blend_task(operation, source, weight_of(operation, source));
-    task.count = span_.count;
+    BlendTask task = tasks_.blend_task(operation, source, span_.count);
     task.blocks = blocks_of(operation);
     blend_tile(task);
     if (run_.observer && (operation.flags & kReferred) == 0) {

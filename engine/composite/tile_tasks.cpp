@@ -12,41 +12,37 @@ TileTasks::TileTasks(const TileRun& run, TilePlanes& planes)
     ready_.assign(program_.operations.size(), -1);
     const std::size_t end = std::min(ready_.size(), static_cast<std::size_t>(run.stop));
     for (auto i = static_cast<std::size_t>(run.start); i < end; ++i) {
-        const OpCode code = program_.operations[i].code;
-        if (code == OpCode::Blend) get_blend_ready(i);
-        if (code == OpCode::MaskEntry) get_entry_ready(i);
+        const Operation& operation = program_.operations[i];
+        if (operation.code == OpCode::Blend)
+            ready_[i] = got_ready(operation, blends_, &TileTasks::blend_task, blend_kernel);
+        if (operation.code == OpCode::MaskEntry)
+            ready_[i] = got_ready(operation, entries_, &TileTasks::mask_task, mask_kernel);
     }
 }
 
-void TileTasks::get_blend_ready(std::size_t index) {
-    const Operation& operation = program_.operations[index];
-    const bool first = (operation.flags & kFirst) != 0;
-    const auto accepts = [&](const StoredTexels& texels) {
-        return !first && is_opaque(operation) &&
-               blends_stored(operation.channel, operation.mode, texels);
-    };
-    const std::optional<FetchedSource> source =
-        steady_source(source_of(operation), bound_of(operation), accepts);
-    if (!source) return;
-    const bool masked = (operation.flags & kUsesMask) != 0;
-    const BlendTask task =
-        blend_task(operation, *source,
-                   masked ? ReadPlane{.data = planes_.mask(operation.depth)} : source->coverage);
-    ready_[index] = static_cast<std::int32_t>(blends_.size());
-    blends_.push_back({task, blend_kernel(task), source->stored});
+/// Adds what is ready of an operation to `all` and returns where; -1 where nothing is.
+template <class Task, class Kernel>
+std::int32_t TileTasks::got_ready(const Operation& operation, std::vector<Ready<Task, Kernel>>& all,
+                                  Task (TileTasks::*make)(const Operation&, const FetchedSource&,
+                                                          int) const,
+                                  Kernel (*kernel_of)(const Task&)) {
+    const std::optional<FetchedSource> source = steady_source(
+        source_of(operation), run_.images->sources[index_of(operation)], takes_stored(operation));
+    if (!source) return -1;
+    const Task task = (this->*make)(operation, *source, kTileTexels);
+    all.push_back({task, kernel_of(task), source->stored});
+    return static_cast<std::int32_t>(all.size()) - 1;
 }
 
-void TileTasks::get_entry_ready(std::size_t index) {
-    const Operation& operation = program_.operations[index];
-    const auto accepts = [&](const StoredTexels& texels) {
-        return mask_reads_stored(operation.mode, texels);
+AcceptsStored TileTasks::takes_stored(const Operation& operation) const {
+    if (operation.code == OpCode::MaskEntry)
+        return
+            [&](const StoredTexels& texels) { return mask_reads_stored(operation.mode, texels); };
+    // Who observes looks for sources in planes, and one that replaces is read into them.
+    if (run_.observer || (operation.flags & kFirst) != 0 || !is_opaque(operation)) return nullptr;
+    return [&](const StoredTexels& texels) {
+        return blends_stored(operation.channel, operation.mode, texels);
     };
-    const std::optional<FetchedSource> source =
-        steady_source(source_of(operation), bound_of(operation), accepts);
-    if (!source) return;
-    const MaskTask task = mask_task(operation, *source);
-    ready_[index] = static_cast<std::int32_t>(entries_.size());
-    entries_.push_back({task, mask_kernel(task), source->stored});
 }
 
 /// The levels of a mask entry; null where they would change nothing. The identity holds to 0..1
@@ -57,12 +53,13 @@ const Levels* TileTasks::levels_of(const Operation& operation) const {
     if (record.levels >= 0) return &program_.levels[static_cast<std::size_t>(record.levels)];
     const auto* const source = std::get_if<ImageSource>(&record.source);
     if (source == nullptr) return &kIdentity;
-    const bool within = bound_of(operation).image->type != SampleType::F32 &&
+    const bool within = run_.images->sources[index_of(operation)].image->type != SampleType::F32 &&
                         source->multiply == glm::vec3(1.0f) && source->add == glm::vec3(0.0f);
     return within ? nullptr : &kIdentity;
 }
 
-MaskTask TileTasks::mask_task(const Operation& operation, const FetchedSource& source) const {
+MaskTask TileTasks::mask_task(const Operation& operation, const FetchedSource& source,
+                              int count) const {
     const bool adjusts = operation.code == OpCode::MaskAdjust;
     return {.mask = planes_.mask(operation.depth),
             .source = source.components[0],
@@ -73,16 +70,32 @@ MaskTask TileTasks::mask_task(const Operation& operation, const FetchedSource& s
             .invert = (operation.flags & kInvert) != 0,
             .levels = adjusts ? nullptr : levels_of(operation),
             .last = (operation.flags & kLast) != 0,
-            .invert_mask = (operation.flags & kInvertMask) != 0};
+            .invert_mask = (operation.flags & kInvertMask) != 0,
+            .count = count};
+}
+
+/// The mask times the source's own coverage, but for a source that replaces.
+ReadPlane TileTasks::weight_of(const Operation& operation, const FetchedSource& source,
+                               int count) const {
+    const bool masked = (operation.flags & kUsesMask) != 0;
+    const ReadPlane mask =
+        masked ? ReadPlane{.data = planes_.mask(operation.depth)} : uniform_one();
+    const bool first = (operation.flags & kFirst) != 0;
+    if (operation.mode == BlendMode::Replace && !first) return mask;
+    if (!masked) return source.coverage;
+    if (source.coverage.step == 0) return mask;
+    multiply_tile(mask, source.coverage, planes_.weight(), count);
+    return {.data = planes_.weight()};
 }
 
 BlendTask TileTasks::blend_task(const Operation& operation, const FetchedSource& source,
-                                const ReadPlane& weight) const {
+                                int count) const {
     BlendTask task{.channel = operation.channel,
                    .mode = operation.mode,
                    .first = (operation.flags & kFirst) != 0,
+                   .count = count,
                    .stored = source.stored,
-                   .weight = weight,
+                   .weight = weight_of(operation, source, count),
                    .source_coverage = source.coverage,
                    .amount = operation.amount};
     for (int k = 0; k < component_count(operation.channel); ++k) {

@@ -32,7 +32,7 @@ class TileTasks {
         /// The task in a tile; of its blocks nothing is said.
         Task& at(const TileSpan& span) {
             task.count = span.count;
-            if (image.texels != nullptr) task.stored.texels = texels_at(image, span);
+            if (image.texels != nullptr) task.stored.texels = texels_at(span, image);
             return task;
         }
     };
@@ -42,13 +42,14 @@ class TileTasks {
     Blend* ready_blend(std::size_t index) { return found(blends_, index); }
     Entry* ready_entry(std::size_t index) { return found(entries_, index); }
 
-    /// The tasks of operations that read `source`, but for the tile's blocks and count.
-    BlendTask blend_task(const Operation& operation, const FetchedSource& source,
-                         const ReadPlane& weight) const;
-    MaskTask mask_task(const Operation& operation, const FetchedSource& source) const;
+    /// The tasks of operations that read `source` in `count` texels, but for the tile's blocks.
+    BlendTask blend_task(const Operation& operation, const FetchedSource& source, int count) const;
+    MaskTask mask_task(const Operation& operation, const FetchedSource& source, int count) const;
 
+    /// Which texels a Blend or MaskEntry takes as they are stored; the operation has to stay.
+    AcceptsStored takes_stored(const Operation& operation) const;
     const SourceRecord& source_of(const Operation& operation) const {
-        return program_.sources[static_cast<std::size_t>(operation.source)];
+        return program_.sources[index_of(operation)];
     }
 
   private:
@@ -57,11 +58,15 @@ class TileTasks {
         if (ready_.empty() || ready_[operation] < 0) return nullptr;
         return &tasks[static_cast<std::size_t>(ready_[operation])];
     }
-    void get_blend_ready(std::size_t index);
-    void get_entry_ready(std::size_t index);
-    const BoundImage& bound_of(const Operation& operation) const {
-        return run_.images->sources[static_cast<std::size_t>(operation.source)];
+    template <class Task, class Kernel>
+    std::int32_t got_ready(const Operation& operation, std::vector<Ready<Task, Kernel>>& all,
+                           Task (TileTasks::*make)(const Operation&, const FetchedSource&, int)
+                               const,
+                           Kernel (*kernel_of)(const Task&));
+    static std::size_t index_of(const Operation& operation) {
+        return static_cast<std::size_t>(operation.source);
     }
+    ReadPlane weight_of(const Operation& operation, const FetchedSource& source, int count) const;
     const Levels* levels_of(const Operation& operation) const;
 
     const TileRun& run_;
