@@ -14,18 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace patina::HWY_NAMESPACE {
 namespace {
 
-/// What reads the source of a task: planes, or texels as they are stored.
+/// What reads the source of a task from planes; FromTexels reads texels as they are stored.
 template <int kComponents>
 struct FromPlanes {
     static HWY_INLINE PlaneReader<kComponents> of(const BlendTask& task) {
         return PlaneReader<kComponents>(task.source);
-    }
-};
-template <int kChannels, int kComponents, class Value = AsStored>
-struct FromTexels {
-    static HWY_INLINE TexelReader<std::uint8_t, kChannels, 0, kComponents, Value> of(
-        const BlendTask& task) {
-        return {task.stored.texels, task.stored.row_bytes, task.count};
     }
 };
 
@@ -35,8 +28,9 @@ BlendKernel for_colors(const BlendTask& task, const Choose& choose) {
     const StoredTexels& stored = task.stored;
     if (stored.texels == nullptr) return choose(FromPlanes<3>());
     if (stored.channels == 3)
-        return stored.decode ? choose(FromTexels<3, 3, Decoded>()) : choose(FromTexels<3, 3>());
-    return stored.decode ? choose(FromTexels<4, 3, Decoded>()) : choose(FromTexels<4, 3>());
+        return stored.decode ? choose(FromTexels<3, 0, 3, Decoded>())
+                             : choose(FromTexels<3, 0, 3>());
+    return stored.decode ? choose(FromTexels<4, 0, 3, Decoded>()) : choose(FromTexels<4, 0, 3>());
 }
 
 /// Calls `at(i)` for lanes of the blocks in which the weight may be more than 0.
@@ -92,7 +86,7 @@ BlendKernel separable(const BlendTask& task) {
             return blend_components<Mode, 3, false, Source>;
         });
     return task.stored.texels == nullptr ? blend_components<Mode, 1, false, FromPlanes<1>>
-                                         : blend_components<Mode, 1, false, FromTexels<1, 1>>;
+                                         : blend_components<Mode, 1, false, FromTexels<1, 0, 1>>;
 }
 
 /// The pixel loop of the modes of normals. Relief modes lay the source, faded to flat by the

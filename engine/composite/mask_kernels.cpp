@@ -42,16 +42,10 @@ HWY_INLINE Real counted(Real value, std::size_t i, std::size_t count) {
     return Real(hn::IfThenElseZero(hn::FirstN(RealLanes(), count - i), value.lanes));
 }
 
-/// What reads the entry: a plane, or texels as they are stored.
+/// What reads the entry from a plane; FromTexels reads texels as they are stored.
 struct FromPlane {
     static HWY_INLINE PlaneReader<1> of(const MaskTask& task) {
         return PlaneReader<1>(&task.source);
-    }
-};
-template <int kChannels, int kIndex>
-struct FromTexels {
-    static HWY_INLINE TexelReader<std::uint8_t, kChannels, kIndex, 1> of(const MaskTask& task) {
-        return {task.stored.texels, task.stored.row_bytes, task.count};
     }
 };
 
@@ -115,11 +109,11 @@ MaskKernel joining(const MaskTask& task) {
     if constexpr (Combine::kReadsStored) {
         const bool whole = task.opacity >= 1.0f;
         if (task.stored.texels != nullptr && task.stored.channels == 1)
-            return whole ? join<Combine, FromTexels<1, 0>, true>
-                         : join<Combine, FromTexels<1, 0>, false>;
+            return whole ? join<Combine, FromTexels<1, 0, 1>, true>
+                         : join<Combine, FromTexels<1, 0, 1>, false>;
         if (task.stored.texels != nullptr)
-            return whole ? join<Combine, FromTexels<4, 3>, true>
-                         : join<Combine, FromTexels<4, 3>, false>;
+            return whole ? join<Combine, FromTexels<4, 3, 1>, true>
+                         : join<Combine, FromTexels<4, 3, 1>, false>;
     }
     return join<Combine, FromPlane, false>;
 }

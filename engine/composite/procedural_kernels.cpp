@@ -281,11 +281,13 @@ struct OctavesTask {
     float mean = 0.5f;
 };
 
-template <class Noise>
+/// Adds an octave, as Walk or LevelWalk comes by its values.
+template <class Walker, class... Ground>
 HWY_NOINLINE HWY_FLATTEN void add_octave(const Places& places, const OctavesTask& task,
-                                         const Octave& octave, const Lattice& lattice, float* sum) {
+                                         const Octave& octave, float* sum,
+                                         const Ground&... ground) {
     const auto position = [&](int i) { return places.at(i) * task.scale * octave.frequency; };
-    Walk<Noise> walk(position(0), lattice);
+    Walker walk(position(0), ground...);
     for (int i = 0; i < places.count; i += static_cast<int>(lane_count()))
         store(formulae::with_octave(load(sum + i), octave, task.mean, walk.at(position(i))),
               sum + i);
@@ -314,27 +316,31 @@ HWY_INLINE bool suits_lattice_rows(const LevelCells& cells) {
     return cells.per_texel * lanes < lanes - 1.0f;
 }
 
-/// As add_octave, of a level run.
+/// A noise along a level run.
 template <class Noise>
-HWY_NOINLINE HWY_FLATTEN void add_level_octave(const Places& places, const OctavesTask& task,
-                                               const Octave& octave, const Lattice& lattice,
-                                               const LevelCells& cells, float* sum) {
-    const auto position = [&](int i) { return places.at(i) * task.scale * octave.frequency; };
-    const Real y = position(0).y;
-    const LatticeRows<Noise> rows(cells.first, floor(y), static_cast<int>(cells.columns), lattice);
-    const Real lanes(static_cast<float>(lane_count()));
-    for (int i = 0; i < places.count; i += static_cast<int>(lane_count())) {
-        const NoisePlace place = Noise::place(Real2(position(i).x, y), lattice);
+class LevelWalk {
+  public:
+    HWY_INLINE LevelWalk(Real2 start, const Lattice& lattice, const LevelCells& cells)
+        : lattice_(lattice),
+          y_(start.y),
+          rows_(cells.first, floor(start.y), static_cast<int>(cells.columns), lattice) {}
+
+    HWY_INLINE Real at(Real2 position) const {
+        const NoisePlace place = Noise::place(Real2(position.x, y_), lattice_);
         const float first = hn::GetLane(place.cell.x.lanes);
         const Real steps = place.cell.x - first;
+        const Real lanes(static_cast<float>(lane_count()));
         const bool near = hn::AllTrue(formulae::RealLanes(), (steps < lanes).mask);
         const auto corners =
-            near ? rows.corners(first, steps) : Noise::corners(place.cell, lattice);
-        store(formulae::with_octave(load(sum + i), octave, task.mean,
-                                    Noise::value(corners, place, lattice)),
-              sum + i);
+            near ? rows_.corners(first, steps) : Noise::corners(place.cell, lattice_);
+        return Noise::value(corners, place, lattice_);
     }
-}
+
+  private:
+    const Lattice lattice_;
+    const Real y_;
+    const LatticeRows<Noise> rows_;
+};
 
 HWY_NOINLINE HWY_FLATTEN void add_mean(const OctavesTask& task, const Octave& octave, int count,
                                        float* sum) {
@@ -359,10 +365,10 @@ void add_shown_octave(const Places& places, const OctavesTask& task, const Octav
         if (places.is_level && places.count > static_cast<int>(lane_count())) {
             const LevelCells cells = level_cells(places, task.scale, octave.frequency);
             if (suits_lattice_rows(cells) && LatticeRows<Noise>::fit(cells.columns))
-                return add_level_octave<Noise>(places, task, octave, lattice, cells, sum);
+                return add_octave<LevelWalk<Noise>>(places, task, octave, sum, lattice, cells);
         }
     }
-    add_octave<Noise>(places, task, octave, lattice, sum);
+    add_octave<Walk<Noise>>(places, task, octave, sum, lattice);
 }
 
 template <class Noise>

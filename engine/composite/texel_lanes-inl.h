@@ -142,6 +142,16 @@ class TexelReader {
     Value value_;
 };
 
+/// What reads the source of a task (BlendTask, MaskTask) as its texels are stored.
+template <int kChannels, int kFirst, int kComponents, class Value = AsStored>
+struct FromTexels {
+    template <class Task>
+    static HWY_INLINE TexelReader<std::uint8_t, kChannels, kFirst, kComponents, Value> of(
+        const Task& task) {
+        return {task.stored.texels, task.stored.row_bytes, task.count};
+    }
+};
+
 /// Reads kComponents planes.
 template <int kComponents>
 class PlaneReader {
